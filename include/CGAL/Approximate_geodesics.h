@@ -13,6 +13,7 @@
 
 #include <CGAL/Approximate_geodesics/Matrices/Rows_in_memory.h>
 #include <CGAL/Approximate_geodesics/Mesh/Triangle_soup_mesh.h>
+#include <CGAL/Approximate_geodesics/Paths/Portal_labels.h>
 #include <CGAL/Approximate_geodesics/Queries/distance_intervals.h>
 #include <CGAL/Approximate_geodesics/Queries/farthest_point_sampling.h>
 #include <CGAL/Approximate_geodesics/Queries/gradient.h>

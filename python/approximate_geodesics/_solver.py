@@ -400,6 +400,24 @@ class Solver:
         """
         self._solver.prepare_pairs(_at_least(1, landmarks, "landmarks"), _checked(progress))
 
+    def prepare_intervals(
+        self, epsilon: float = 0.02, *, progress: Optional[Progress] = None
+    ) -> None:
+        """Prepare for very many intervals, until weights or barriers change.
+
+        Labels are kept of all vertices. Then `pair_distances` with ``return_intervals`` reads the
+        intervals of pairs of vertices from them in microseconds, without a search. Not for exact
+        distances, barriers or directional costs. No other thread may use the solver meanwhile.
+
+        Parameters
+        ----------
+        epsilon : float
+            The quotient of the ends of an interval is larger by a factor of up to ``1 + epsilon``.
+        progress : callable, optional
+            Called with how many nodes were reached, and of how many, from 0 on for each search.
+        """
+        self._solver.prepare_intervals(_number(epsilon, "epsilon"), _checked(progress))
+
     def pair_distances(
         self,
         sources: Any,
@@ -423,7 +441,8 @@ class Solver:
         targets : points, optional
             As many targets.
         return_intervals : bool
-            Whether intervals that contain the distances on the surface are returned instead.
+            Whether intervals that contain the distances on the surface are returned instead; see
+            `prepare_intervals`.
         max_distance : float, optional
             Targets that are farther are not reached.
         threads : int, optional

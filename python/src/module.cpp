@@ -110,6 +110,11 @@ void prepare_pairs(AG::Solver& solver,
       [&](const AG::Solver_watch& watch) { solver.prepare_pairs(number_of_landmarks, watch); });
 }
 
+void prepare_intervals(AG::Solver& solver, const double epsilon, const py::object& progress)
+{
+  run(progress, [&](const AG::Solver_watch& watch) { solver.prepare_intervals(epsilon, watch); });
+}
+
 py::tuple distances(const AG::Solver& solver,
                     const Numbers& elements,
                     const Coordinates& coordinates,
@@ -376,6 +381,7 @@ PYBIND11_MODULE(_native, module)
       .def("set_weights", &python::set_weights)
       .def("set_barriers", &python::set_barriers)
       .def("prepare_pairs", &python::prepare_pairs)
+      .def("prepare_intervals", &python::prepare_intervals)
       .def("distances", &python::distances)
       .def("path", &python::path)
       .def("pair_distances", &python::pair_distances)

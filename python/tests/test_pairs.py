@@ -94,6 +94,19 @@ def test_prepared_pairs_are_the_same(solver, pairs, epsilon):
         prepared.prepare_pairs(0)
 
 
+def test_prepared_intervals_contain_distances(solver, pairs):
+    prepared = ag.Solver(solver.vertices, solver.faces, 0.1)
+    expected = prepared.pair_distances(pairs)
+    prepared.prepare_intervals(0.05)
+    lower, upper = prepared.pair_distances(pairs, return_intervals=True).T
+    assert np.all(lower <= expected) and np.all(upper >= expected / 1.1)
+    assert np.all(upper <= 1.05 * 1.1 * 1.0001 * lower)
+    with pytest.raises(ValueError, match="epsilon is"):
+        prepared.prepare_intervals(0)
+    with pytest.raises(ValueError, match="exact"):
+        ag.Solver(solver.vertices, solver.faces, 0).prepare_intervals()
+
+
 def test_wrong_pairs_are_named(solver):
     with pytest.raises(ValueError, match="the target of pair 1 is vertex 642"):
         solver.pair_distances([[0, 1], [0, 642]])

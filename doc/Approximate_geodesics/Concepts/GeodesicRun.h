@@ -88,7 +88,8 @@ public:
          - `append_in_parallel(loop, n, f)` calls `f(i, part)` for all `i` below `n`, where `part`
   is an object like `candidates`, and appends what was appended to these, in the order of `i`.
            `loop.run(n, g)` has to call `g(i, thread)` for all `i` below `n`, at the same time only
-           with different values of `thread`, all below `loop.number_of_threads()`;
+           with different values of `thread`, all below `loop.number_of_threads()`; `part.thread()`
+           is this value;
          - `call_again(node, label)` requests that this function is called again, perhaps without
            any node, before nodes are expanded with larger labels than this one. `node` is one that
            was expanded with a smaller label. The last request counts, and none remains after the

@@ -8,6 +8,7 @@
 #include "checks/expect_message.h"
 #include "meshes/test_costs.h"
 #include "meshes/test_weights.h"
+#include "paths/dijkstra.h"
 
 #include <CGAL/Approximate_geodesics/Graphs/Saddle_vertex_graph.h>
 #include <CGAL/Approximate_geodesics/Mesh/cost_functions.h>
@@ -20,7 +21,6 @@
 #include <cmath>
 #include <cstddef>
 #include <functional>
-#include <queue>
 #include <stdexcept>
 #include <string>
 #include <utility>
@@ -72,30 +72,15 @@ void expect_straight_lines(const Mesh& mesh, const Cost& cost, const double epsi
 std::vector<double> distances_by_all_arcs(const Dense_graph& graph, const Node source)
 {
   const Triangulation& t = graph.triangulation();
-  std::vector<double> result(graph.number_of_nodes(), infinity);
-  using Entry = std::pair<double, Node>;
-  std::priority_queue<Entry, std::vector<Entry>, std::greater<>> queue;
-  result[source] = 0;
-  queue.push({0, source});
-  while(!queue.empty())
-  {
-    const auto [distance, node] = queue.top();
-    queue.pop();
-    if(distance > result[node])
-      continue;
-    const auto relax = [&, d = distance](const Node end, const double cost) {
-      if(d + cost < result[end])
-      {
-        result[end] = d + cost;
-        queue.push({d + cost, end});
-      }
-    };
-    if(node >= t.number_of_vertices())
-      graph.attach(graph.position(node)).for_each_node(relax);
-    else // as a point of its edges
-      for(Node h = t.first_halfedge(node); h < t.beyond_halfedge(node); ++h)
-        graph.attach(AG::Intrinsic_point::on_edge(h, 0)).for_each_node(relax);
-  }
+  std::vector<double> result = textbook_distances<double>(
+      graph.number_of_nodes(), source, [&](const std::size_t number, const auto& relax) {
+        const auto node = static_cast<Node>(number);
+        if(node >= t.number_of_vertices())
+          graph.attach(graph.position(node)).for_each_node(relax);
+        else // as a point of its edges
+          for(Node h = t.first_halfedge(node); h < t.beyond_halfedge(node); ++h)
+            graph.attach(AG::Intrinsic_point::on_edge(h, 0)).for_each_node(relax);
+      });
   for(double& distance : result)
     distance *= graph.unit();
   return result;

@@ -7,6 +7,7 @@
 #include "checks/expect_message.h"
 #include "meshes/sample_meshes.h"
 #include "meshes/surface_points.h"
+#include "meshes/test_meshes.h"
 #include "meshes/test_weights.h"
 #include "oracles/cost_across.h"
 
@@ -38,39 +39,6 @@ using namespace geodesics_test;
 using Points_graph = Steiner_graph<Geometric_points>;
 
 // ----- thin faces in the plane
-
-// Needles in a row, from one tip and to another one, with a large face on either side: in a convex
-// part of the plane.
-Soup needles(const std::size_t number, const double angle)
-{
-  Soup result;
-  result.points = {Point(0, 0, 0), Point(2, 0, 0), Point(0.4, -0.8, 0), Point(0.4, 0.8, 0)};
-  for(std::size_t i = 0; i <= number; ++i)
-  {
-    const double direction = (double(i) - 0.5 * double(number)) * angle;
-    result.points.emplace_back(std::cos(direction), std::sin(direction), 0);
-  }
-  const std::size_t first = 4, last = 4 + number;
-  result.triangles = {{0, 2, first}, {2, 1, first}, {0, last, 3}, {last, 1, 3}};
-  for(std::size_t i = first; i < last; ++i)
-  {
-    result.triangles.push_back({0, i, i + 1});
-    result.triangles.push_back({i, 1, i + 1});
-  }
-  return result;
-}
-
-// A face with two such angles and a large one, between large faces.
-Soup cap(const double angle)
-{
-  Soup result;
-  result.points = {Point(0, 0, 0), Point(1, 0, 0), Point(0.45, 0.45 * std::tan(angle), 0),
-                   Point(0.5, -0.7, 0), Point(0.6, 0.8, 0)};
-  result.triangles = {{0, 1, 2}, {0, 2, 4}, {2, 1, 4}, {1, 0, 3}};
-  return result;
-}
-
-std::vector<Soup> thin_soups(const double angle) { return {needles(3, angle), cap(angle)}; }
 
 std::vector<double> distances_in_plane(const Mesh& mesh, const Vertex source)
 {
@@ -159,7 +127,7 @@ TEST(Thin_faces, have_the_bound_in_layers)
 
 TEST(Thin_faces, are_refused_by_name_if_they_take_too_many_points)
 {
-  const Mesh mesh = to_mesh(needles(1, 1e-3));
+  const Mesh mesh = to_mesh(thin_needles(1, 1e-3));
   const Triangulation t(mesh);
   const auto np = parameters::epsilon(0.1);
   const auto count = [&](const Geometric_points& points) {
@@ -212,7 +180,7 @@ TEST(Thin_faces, have_the_weaker_bound_that_is_told)
 
 TEST(Faces_without_area, have_no_bound)
 {
-  const Mesh mesh = to_mesh(cap(0));
+  const Mesh mesh = to_mesh(thin_cap(0));
   const Triangulation t(mesh);
   expect_message<std::length_error>([&] { Points_graph g(t, parameters::epsilon(0.1)); },
                                     "the face with vertices");
@@ -222,7 +190,7 @@ TEST(Faces_without_area, have_no_bound)
 // ... and do not matter where no path may enter them, until one may.
 TEST(Faces_without_area, do_no_harm_if_they_are_forbidden)
 {
-  const Mesh mesh = to_mesh(cap(0));
+  const Mesh mesh = to_mesh(thin_cap(0));
   Weights weights(mesh.num_faces(), 1);
   weights[0] = infinity;
   auto graph = steiner_graph(mesh, weights, Geometric_points(0.1));
@@ -354,7 +322,7 @@ TEST(Points_in_faces, are_not_farther_apart_than_the_distance_of_corners_allows)
 
 TEST(Points_in_faces, have_intervals_that_contain_the_distance)
 {
-  const Mesh mesh = to_mesh(needles(1, 0.05));
+  const Mesh mesh = to_mesh(thin_needles(1, 0.05));
   const Weights weights(mesh.num_faces(), 1);
   for(const Face f : mesh.faces())
     for(const double part : {1e-3, 0.3})

@@ -3,7 +3,7 @@
 //
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-#include <CGAL/Approximate_geodesics/Graphs/internal/Steiner/Weighted_costs.h>
+#include <CGAL/Approximate_geodesics/Graphs/internal/Steiner/Rivals.h>
 
 #include "checks/test_random.h"
 
@@ -81,6 +81,30 @@ TEST(Rivals, win_by_sums_that_are_smaller_after_rounding)
     }
   EXPECT_GT(number_beaten, 50 * number_of_contests);
   EXPECT_GT(number_left_out, number_beaten * 0.99); // few are in doubt
+}
+
+// A rival counts only where it has arcs, and the point looks at what its own arcs lead to.
+TEST(Rivals, win_where_they_have_arcs)
+{
+  Random random(test_seed());
+  for(int i = 0; i < 200; ++i)
+  {
+    const Contest contest(random, random.between(0, 10), 1e-2);
+    std::uint32_t ends[4]; // the start of the arcs of the point, that of the farther one, ...
+    for(std::uint32_t& end : ends)
+      end = static_cast<std::uint32_t>(random.below(contest.row.size + 1));
+    std::sort(ends, ends + 4);
+    const auto all = contest.worthwhile();
+    const auto found = cell(contest.row, contest.points[1], contest.points[0], contest.points[2],
+                            {ends[0], ends[3]}, ends[2], ends[1]);
+    for(std::uint32_t rank = 0; rank < contest.row.size; ++rank)
+    {
+      const bool has_arc = rank >= ends[0] && rank < ends[3];
+      const bool loses =
+          (rank < all.first && rank < ends[2]) || (rank >= all.beyond && rank >= ends[1]);
+      EXPECT_EQ(rank >= found.first && rank < found.beyond, has_arc && !loses) << rank;
+    }
+  }
 }
 
 // Points near the other end of a long edge are at the same distance from the corner, after

@@ -64,10 +64,10 @@ TEST(Tiled_grid_search, finds_the_bits_of_one_graph)
   }
 }
 
-TEST(Tiled_grid_search, finds_the_bits_of_one_graph_on_heights_and_in_degrees)
+void expect_bits_of_one_graph_on_heights(const int number_of_terrains)
 {
   Random random(test_seed());
-  for(int i = 0; i < 8; ++i)
+  for(int i = 0; i < number_of_terrains; ++i)
   {
     const std::vector<Grid_cell> sources{{random.below(20), random.below(20)}};
     const Terrain_in_tiles terrain = random_hills(random, sources);
@@ -86,6 +86,16 @@ TEST(Tiled_grid_search, finds_the_bits_of_one_graph_on_heights_and_in_degrees)
       expect_path_of_distance(terrain, sources, tiled, {random.below(columns), random.below(rows)});
     }
   }
+}
+
+TEST(Tiled_grid_search, finds_the_bits_of_one_graph_on_heights_and_in_degrees)
+{
+  expect_bits_of_one_graph_on_heights(1);
+}
+
+TEST(Tiled_grid_search, finds_the_bits_of_one_graph_on_many_heights_and_in_degrees)
+{
+  expect_bits_of_one_graph_on_heights(8);
 }
 
 TEST(Tiled_grid_search, visits_each_tile_once_where_all_cells_are_equal)

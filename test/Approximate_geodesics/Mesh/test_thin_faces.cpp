@@ -386,6 +386,24 @@ TEST(Thin_faces, have_exact_corners)
   }
 }
 
+// Of length one; zero, and not no number, where a side has no length.
+TEST(Thin_faces, have_directions_of_their_sides)
+{
+  Random random(test_seed());
+  Soup soup = thin_triangles(1e8, random);
+  soup.append({{Point(1, 2, 3), Point(1, 2, 3), Point(2, 2, 3)}, {{0, 1, 2}}});
+  const Triangulation t(to_mesh(soup));
+  std::size_t number_without = 0;
+  for_each_side(t, [&](const Index, const Index h) {
+    const AG::internal::Face_layout layout(t, t.next(h));
+    const AG::internal::Plane_vector direction = layout.direction(h);
+    EXPECT_NEAR(length(direction), t.length(h) > 0 ? 1 : 0, tolerance);
+    EXPECT_NEAR(dot(direction, layout.edge(2, 0)), t.length(h), tolerance * t.length(h));
+    number_without += t.length(h) == 0 ? 1 : 0;
+  });
+  EXPECT_EQ(number_without, 1u);
+}
+
 TEST(Thin_faces, have_exact_lines)
 {
   Random random(test_seed());

@@ -143,10 +143,10 @@ TEST(Landmarks, change_no_distance_on_hostile_meshes)
   }
 }
 
-TEST(Landmarks, heed_weights_and_barriers)
+void expect_use_with_weights_and_barriers(const int number_of_terrains)
 {
   Random random(test_seed());
-  for(int i = 0; i < 10; ++i)
+  for(int i = 0; i < number_of_terrains; ++i)
   {
     const Mesh mesh = to_mesh(terrain(7, 6, random));
     const Weights weights = random_weights(mesh, random, 0.5, 2, 0.1);
@@ -156,6 +156,13 @@ TEST(Landmarks, heed_weights_and_barriers)
     expect_use(mesh, graph_with_spaced_points(1).make(triangulation), random);
     expect_use(mesh, Steiner_graph<>(triangulation, lenient_points(1)), random);
   }
+}
+
+TEST(Landmarks, heed_weights_and_barriers) { expect_use_with_weights_and_barriers(1); }
+
+TEST(Landmarks, heed_weights_and_barriers_on_many_terrains)
+{
+  expect_use_with_weights_and_barriers(10);
 }
 
 TEST(Landmarks, heed_extreme_weights)

@@ -7,6 +7,8 @@
 #include "checks/graphs_of_all_kinds.h"
 #include "meshes/test_weights.h"
 
+#include <CGAL/Approximate_geodesics/Paths/Portal_labels.h>
+
 #include <gtest/gtest.h>
 
 #include <ios>
@@ -61,6 +63,18 @@ TEST(Interrupted_construction, of_graphs)
   const Mesh mesh = small_terrain();
   for_each_graph(1, [&](const auto& kind) {
     expect_survival([&] { return distances_in(kind.make(Triangulation(mesh))); });
+  });
+}
+
+TEST(Interrupted_construction, of_labels_at_portals)
+{
+  const AG::Edge_graph graph{Triangulation(to_mesh(flat_grid(15, 10)))};
+  expect_survival([&] {
+    const AG::Portal_labels<AG::Edge_graph> labels(graph);
+    Values result;
+    for(Node v = 0; v < 150; ++v)
+      result.push_back(labels.distance_interval(7, v).second);
+    return result;
   });
 }
 

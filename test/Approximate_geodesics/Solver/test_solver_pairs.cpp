@@ -16,6 +16,7 @@
 #include <cstddef>
 #include <cstdint>
 #include <limits>
+#include <numeric>
 #include <optional>
 #include <stdexcept>
 #include <vector>
@@ -115,6 +116,47 @@ TEST_F(Solver_pairs, have_intervals)
       EXPECT_GE(ends[2 * i + 1], expected[i]);
     }
   }
+}
+
+// Those of vertices are read from labels; others, and those after a change, are searched.
+TEST_F(Solver_pairs, have_intervals_that_are_prepared)
+{
+  constexpr double epsilon_of_labels = 0.1;
+  for(const auto epsilon : {std::optional<double>(), std::optional(0.2)})
+    for(const bool has_weights : {false, true})
+    {
+      const std::vector<double> weights(m_arrays.number_of_faces(), 2);
+      AG::Solver_options options = bound(epsilon);
+      options.face_weights = has_weights ? weights.data() : nullptr;
+      Solver_of solver(m_arrays, options);
+      std::vector<double> searched(2 * m_sources.size()), read = searched;
+      solver.find_pair_intervals(m_sources, m_targets, searched.data());
+      const std::size_t memory = solver.memory();
+      solver.prepare_intervals(epsilon_of_labels);
+      EXPECT_GT(solver.memory(), memory);
+      solver.find_pair_intervals(m_sources, m_targets, read.data());
+      const double factor = (1 + epsilon_of_labels) * (1 + epsilon.value_or(0)) * 1.00001;
+      for(std::size_t i = 0; i < read.size(); i += 2)
+      {
+        EXPECT_LE(read[i], searched[i + 1]);
+        EXPECT_GE(read[i + 1], searched[i]);
+        EXPECT_GE(read[i] * factor, searched[i]);
+        EXPECT_LE(read[i + 1], searched[i + 1] * factor);
+      }
+      if(!has_weights)
+        continue;
+      std::vector<std::int64_t> faces(weights.size());
+      std::iota(faces.begin(), faces.end(), 0);
+      const std::vector<double> doubled(weights.size(), 4);
+      solver.set_weights(faces.data(), doubled.data(), faces.size());
+      solver.find_pair_intervals(m_sources, m_targets, read.data());
+      for(std::size_t i = 1; i < read.size(); i += 2)
+        EXPECT_EQ(read[i], 2 * searched[i]);
+    }
+  expect_message<std::invalid_argument>(
+      [&] { Solver_of(m_arrays, bound(0)).prepare_intervals(0.1); }, "exact");
+  expect_message<std::invalid_argument>(
+      [&] { Solver_of(m_arrays, bound(0.2)).prepare_intervals(0); }, "epsilon is");
 }
 
 TEST_F(Solver_pairs, have_paths)

@@ -258,6 +258,19 @@ TEST(Parallel_build, gives_the_class_the_same_graph)
   EXPECT_TRUE(have_same_bits(distances(paths.graph(), 0), distances(graph, 0)));
 }
 
+TEST(Parallel_build, reads_the_same_triangulation)
+{
+  Random random(test_seed());
+  for(const Mesh& mesh : {to_mesh(terrain(70, 65, random)), to_mesh(sphere(90, 60))})
+  {
+    const Triangulation alone(mesh);
+    const Triangulation together(mesh, parameters::concurrency_tag(CGAL::Parallel_tag()));
+    EXPECT_EQ(together.targets(), alone.targets());
+    EXPECT_TRUE(have_same_bits(together.lengths(), alone.lengths()));
+    EXPECT_TRUE(together.is_valid());
+  }
+}
+
 // Threads that search from one source.
 TEST(Parallel_search, gives_the_same_distances)
 {

@@ -211,6 +211,14 @@ public:
     return result <= m_epsilon * (1 + tolerance) ? m_epsilon : result;
   }
 
+  /// returns the tangent of the angle with a side up to which arcs across faces may be left out, as
+  /// ways along the side cost little more: the bound has room for this.
+  double tangent_of_narrow_arcs() const
+  {
+    constexpr double largest_square = 0.4;
+    return std::sqrt((std::min)(m_epsilon_of_crossings, largest_square));
+  }
+
   /// returns whether `accept_weaker_bound` was given.
   bool accepts_weaker_bound() const { return m_limit.is_soft; }
 

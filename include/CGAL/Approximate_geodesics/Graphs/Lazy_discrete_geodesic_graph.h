@@ -107,7 +107,8 @@ public:
           triangulation.number_of_vertices())),
       m_rules(internal::checked_epsilon(np)),
       m_triangulation(
-          internal::without_weights(std::move(triangulation), np, "Lazy_discrete_geodesic_graph")),
+          internal::without_weights(std::move(triangulation), np, "Lazy_discrete_geodesic_graph"),
+          m_loop),
       m_unfolding(m_triangulation.get(), m_loop),
       m_edge_lengths(m_triangulation.edge_lengths())
   {

@@ -35,6 +35,10 @@ namespace CGAL::Approximate_geodesics {
  * The placement determines where points are, and thus the error: `Geometric_points` guarantees a
  * bound, `Fixed_number_of_points` and `Points_at_interval` are simpler and do not.
  *
+ * Between long sides of thin faces, arcs that make a small angle with a side are left out, if the
+ * placement says up to which angle. The bound of `Geometric_points` has room for the ways in their
+ * place.
+ *
  * Arcs are not stored: the graph takes 36 bytes per vertex, in addition to the triangulation, and 8
  * per point, or 4 if points divide edges into equal parts. A search does not look at all arcs
  * either. A path that crosses a face is not continued into the same face again, and where edges

@@ -165,28 +165,46 @@ private:
         m_costs.expand_face(left.reversed(opposite), m_triangulation.halfedges_of_face(opposite),
                             labels, f);
     }
-    else if(has_right)
-      expand_crossed_edge(left, origin, labels, f);
+    else
+      expand_crossed_edge(left, has_right, origin, labels, f);
   }
 
-  // Enumerates the arcs from a viewpoint between two faces, one of which the path has crossed from
+  // Enumerates the arcs from a viewpoint on an edge, one of whose faces the path has crossed from
   // `origin`.
   template <typename Labels, typename F>
-  void
-  expand_crossed_edge(const Viewpoint& left, const Node origin, const Labels& labels, F& f) const
+  void expand_crossed_edge(const Viewpoint& left,
+                           const bool has_right,
+                           const Node origin,
+                           const Labels& labels,
+                           F& f) const
   {
+    const Face left_face = m_triangulation.halfedges_of_face(left.halfedge);
+    const bool has_left = m_triangulation.is_open(left.halfedge);
+    if(!has_right)
+      return expand_crossed_face(left, left_face, origin, true, labels, f);
     const Face right_face =
         m_triangulation.halfedges_of_face(m_triangulation.opposite(left.halfedge));
     const bool comes_from_right = is_opposite(origin, right_face);
-    if(comes_from_right && m_triangulation.is_open(left.halfedge))
-    {
-      const Face left_face = m_triangulation.halfedges_of_face(left.halfedge);
-      m_costs.expand_face(left, left_face, labels, f);
-      if(is_opposite(origin, left_face)) // two faces can have several edges in common
-        m_costs.expand_face(left.reversed(right_face[0]), right_face, labels, f);
-    }
-    else if(!comes_from_right)
-      m_costs.expand_face(left.reversed(right_face[0]), right_face, labels, f);
+    if(has_left)
+      expand_crossed_face(left, left_face, origin, !comes_from_right, labels, f);
+    // two faces can have several edges in common
+    const bool comes_from_both = comes_from_right && has_left && is_opposite(origin, left_face);
+    expand_crossed_face(left.reversed(right_face[0]), right_face, origin,
+                        comes_from_right && !comes_from_both, labels, f);
+  }
+
+  template <typename Labels, typename F>
+  void expand_crossed_face(const Viewpoint& view,
+                           const Face& face,
+                           const Node origin,
+                           const bool comes_from_here,
+                           const Labels& labels,
+                           F& f) const
+  {
+    if(!comes_from_here)
+      m_costs.expand_face(view, face, labels, f);
+    else if constexpr(Costs::has_narrow_arcs)
+      m_costs.expand_back(view, face, origin, labels, f);
   }
 
   // Returns the viewpoint of `p`, on the edge whose first halfedge is `h`.

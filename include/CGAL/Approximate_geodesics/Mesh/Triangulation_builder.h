@@ -217,7 +217,8 @@ public:
       return false;
     if constexpr(is_given<NamedParameters, internal_np::edge_length_t>)
       m_halfedges = halfedges_in_groups(m_vertices, adjacency, m_mesh);
-    Edge_lengths lengths = read_edge_lengths(m_mesh, m_vertices, m_halfedges, m_np, adjacency);
+    Edge_lengths lengths = read_edge_lengths(m_mesh, read_points(m_mesh, m_vertices, m_np),
+                                             m_halfedges, m_np, adjacency);
     m_result.m_length = std::move(lengths.of_halfedge);
     m_result.m_unit = lengths.unit;
     m_result.m_first_halfedge = std::move(adjacency.first_of_vertex);
@@ -258,9 +259,7 @@ private:
     if(!links.read() || !links.write(connectivity))
       return false;
     Vertex_order order(connectivity);
-    for(const auto root : vertices(m_mesh))
-      order.add_component(links.index(root));
-    order.finish();
+    read_points_and_number(links, order);
     m_result.m_vertex_of_index = std::move(order.vertex_of_index());
     m_result.m_index_of_vertex = std::move(order.index_of_vertex());
     Connectivity& ordered = order.result();
@@ -269,20 +268,49 @@ private:
     m_result.m_is_border = std::move(ordered.is_border);
     m_result.m_opposite_rank = std::move(ordered.opposite_rank);
     m_result.m_number_of_faces = static_cast<Index>(ordered.number_of_faces);
-    m_vertices.reserve(m_result.m_index_of_vertex.size());
-    for(const Index i : m_result.m_index_of_vertex)
-      m_vertices.push_back(links.vertex_list()[i]);
+    if constexpr(needs_halfedges)
+    {
+      m_vertices.reserve(m_result.m_index_of_vertex.size());
+      for(const Index i : m_result.m_index_of_vertex)
+        m_vertices.push_back(links.vertex_list()[i]);
+    }
     return true;
+  }
+
+  // One thread numbers the vertices, another one reads their points meanwhile: only one reads the
+  // mesh.
+  template <typename Links>
+  void read_points_and_number(Links& links, Vertex_order& order)
+  {
+    std::vector<Index> roots;
+    roots.reserve(links.vertex_list().size());
+    for(const auto v : vertices(m_mesh))
+      roots.push_back(links.index(v));
+    m_loop.for_size(roots.size()).run(2, [&](const std::size_t task, std::size_t /* thread */) {
+      if(task == 1)
+        m_points = read_points(m_mesh, links.vertex_list(), m_np);
+      else
+      {
+        for(const Index root : roots)
+          order.add_component(root);
+        order.finish();
+      }
+    });
   }
 
   void copy_lengths()
   {
-    Edge_lengths lengths = read_edge_lengths(m_mesh, m_vertices, m_halfedges, m_np, m_result);
+    std::vector<Space_vector> points;
+    if(!m_points.empty())
+      points = select(m_points, m_result.m_index_of_vertex, m_loop);
+    m_points = std::vector<Space_vector>(); // frees its memory
+    Edge_lengths lengths =
+        read_edge_lengths(m_mesh, std::move(points), m_halfedges, m_np, m_result);
     m_result.m_length = std::move(lengths.of_halfedge);
     m_result.m_unit = lengths.unit;
     m_result.m_lines_may_return = is_given<NamedParameters, internal_np::edge_length_t>;
     if(!lengths.points.empty())
-      m_result.m_thin_faces = thin_faces(lengths.sharp_corners, lengths.points, m_result);
+      m_result.m_thin_faces = thin_faces(lengths.sharp_corners, lengths.points, m_result, m_loop);
   }
 
   void copy_weights()
@@ -321,6 +349,8 @@ private:
   Intrinsic_triangulation& m_result;
   const TriangleMesh& m_mesh;
   const NamedParameters& m_np;
+  const Loop m_loop = Loop::with_tag<Concurrency_tag<NamedParameters>>();
+  std::vector<Space_vector> m_points; // by the index of the vertex; empty if lengths are given
   std::vector<typename Graph_traits::vertex_descriptor> m_vertices;    // as in the triangulation
   std::vector<typename Graph_traits::halfedge_descriptor> m_halfedges; // likewise, if needed
 };

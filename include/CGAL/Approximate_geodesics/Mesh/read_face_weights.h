@@ -137,11 +137,7 @@ inline std::array<Plane_vector, 3> directions_of_sides(const Face_layout& layout
 {
   std::array<Plane_vector, 3> result;
   for(std::size_t i = 0; i < 3; ++i)
-  {
-    const Plane_vector way = layout.corner((i + 1) % 3) - layout.corner(i);
-    const double distance = length(way);
-    result[i] = distance > 0 ? (1 / distance) * way : Plane_vector{0, 0};
-  }
+    result[i] = direction_of(layout.corner((i + 1) % 3) - layout.corner(i));
   return result;
 }
 

@@ -130,20 +130,30 @@ private:
   std::vector<std::size_t> m_first; // of each group, and one beyond
 };
 
+// Returns an interval that contains the distance of two points on the surface, from the ends of one
+// for the length of the shortest path in the graph.
+template <typename SurfaceGraph>
+std::pair<double, double> interval_on_surface(const SurfaceGraph& graph,
+                                              const Intrinsic_point& source,
+                                              const Intrinsic_point& target,
+                                              const double lower,
+                                              const double upper)
+{
+  const double epsilon = error_bound(graph);
+  const double costs = cost_to_corner(graph, source) + cost_to_corner(graph, target);
+  const double rounding = epsilon > 0 ? 2.4e-7 : rounding_of_distances; // stored arcs are `float`
+  return {smallest_distance(lower, epsilon, costs) * (1 - rounding), upper * (1 + rounding)};
+}
+
 // Returns an interval that contains the distance of a point from the source of a search.
 template <typename SurfaceSearch>
 std::pair<double, double> distance_interval(const SurfaceSearch& search,
                                             const Intrinsic_point& point,
                                             const double maximum_distance)
 {
-  const auto& graph = search.graph();
-  const double distance = search.distance(point), epsilon = error_bound(graph);
-  const double costs =
-      cost_to_corner(graph, search.sources().front().point) + cost_to_corner(graph, point);
-  const double rounding = epsilon > 0 ? 2.4e-7 : rounding_of_distances; // stored arcs are `float`
-  return {smallest_distance((std::min)(distance, maximum_distance), epsilon, costs) *
-              (1 - rounding),
-          distance * (1 + rounding)};
+  const double distance = search.distance(point);
+  return interval_on_surface(search.graph(), search.sources().front().point, point,
+                             (std::min)(distance, maximum_distance), distance);
 }
 
 // Returns a path that a search has found as one from the source to the target of a pair.

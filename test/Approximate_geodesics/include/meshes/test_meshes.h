@@ -56,6 +56,42 @@ inline Soup terrain(const std::size_t columns, const std::size_t rows, Random& r
   });
 }
 
+// Needles in a row, from one tip and to another one, with a large face on either side: in a convex
+// part of the plane.
+inline Soup thin_needles(const std::size_t number, const double angle)
+{
+  Soup result;
+  result.points = {Point(0, 0, 0), Point(2, 0, 0), Point(0.4, -0.8, 0), Point(0.4, 0.8, 0)};
+  for(std::size_t i = 0; i <= number; ++i)
+  {
+    const double direction = (double(i) - 0.5 * double(number)) * angle;
+    result.points.emplace_back(std::cos(direction), std::sin(direction), 0);
+  }
+  const std::size_t first = 4, last = 4 + number;
+  result.triangles = {{0, 2, first}, {2, 1, first}, {0, last, 3}, {last, 1, 3}};
+  for(std::size_t i = first; i < last; ++i)
+  {
+    result.triangles.push_back({0, i, i + 1});
+    result.triangles.push_back({i, 1, i + 1});
+  }
+  return result;
+}
+
+// A face with two such angles and a large one, between large faces.
+inline Soup thin_cap(const double angle)
+{
+  Soup result;
+  result.points = {Point(0, 0, 0), Point(1, 0, 0), Point(0.45, 0.45 * std::tan(angle), 0),
+                   Point(0.5, -0.7, 0), Point(0.6, 0.8, 0)};
+  result.triangles = {{0, 1, 2}, {0, 2, 4}, {2, 1, 4}, {1, 0, 3}};
+  return result;
+}
+
+inline std::vector<Soup> thin_soups(const double angle)
+{
+  return {thin_needles(3, angle), thin_cap(angle)};
+}
+
 // The hub is vertex 0; a cone if it is lifted out of the plane.
 inline Soup fan(const std::size_t valence, const double height = 0)
 {

@@ -7,22 +7,27 @@
 #define APPROXIMATE_GEODESICS_TEST_FULL_GRAPH_H
 
 #include "oracles/test_oracles.h"
+#include "paths/dijkstra.h"
+
+#include <CGAL/Approximate_geodesics/Graphs/internal/Steiner/Narrow_arcs.h>
+#include <CGAL/Approximate_geodesics/Graphs/internal/Steiner/Steiner_nodes.h>
+
+#include <boost/type_traits/is_detected.hpp>
 
 #include <algorithm>
 #include <array>
 #include <cmath>
 #include <cstddef>
-#include <functional>
-#include <queue>
-#include <utility>
+#include <type_traits>
 #include <vector>
 
 namespace geodesics_test {
 
 /*
  * What a Steiner graph without barriers stands for, spelled out: all nodes at the border of a face
- * are joined to each other, and a search compares all of these arcs. Of the graph, only the places
- * of the nodes are used, and which edges form a face; lengths come from the points of the mesh.
+ * are joined to each other, but for narrow arcs, and a search compares all of these arcs. Of the
+ * graph, only the places of the nodes are used, and which edges form a face; lengths come from the
+ * points of the mesh.
  */
 class Full_graph
 {
@@ -42,6 +47,11 @@ public:
       m_places.push_back(
           between(m_places[t.source(h)], m_places[t.target(h)], graph.position(n).t));
     }
+    using Placement = std::decay_t<decltype(graph.placement())>;
+    namespace Steiner = CGAL::Approximate_geodesics::internal;
+    if constexpr(boost::is_detected_v<Steiner::Tangent_of_narrow_arcs, Placement>)
+      m_smallest_angle =
+          std::atan(static_cast<long double>(graph.placement().tangent_of_narrow_arcs()));
     m_faces_of_node.resize(graph.number_of_nodes());
     for(Node h = 0; h < t.number_of_halfedges(); ++h)
       if(!t.is_border(h) && h < t.next(h) && h < t.next(t.next(h)))
@@ -50,50 +60,82 @@ public:
 
   std::vector<double> distances(const Node source) const
   {
-    std::vector<double> result(m_places.size(), infinity);
-    std::vector<bool> is_settled(m_places.size(), false);
-    using Entry = std::pair<double, Node>;
-    std::priority_queue<Entry, std::vector<Entry>, std::greater<>> queue;
-    result[source] = 0;
-    queue.push({0, source});
-    while(!queue.empty())
-    {
-      const auto [distance, node] = queue.top();
-      queue.pop();
-      if(is_settled[node])
-        continue;
-      is_settled[node] = true;
-      for(const std::size_t f : m_faces_of_node[node])
-        for(const Node other : m_faces[f].nodes)
-        {
-          const double through = distance + cost(f, node, other);
-          if(through < result[other])
+    return textbook_distances<double>(m_places.size(), source, [&](const auto node, const auto& g) {
+      for(const auto& [f, i] : m_faces_of_node[node])
+        for(std::size_t k = 0; k < m_faces[f].nodes.size(); ++k)
+          if(!is_narrow(m_faces[f], i, k))
           {
-            result[other] = through;
-            queue.push({through, other});
+            const Node other = m_faces[f].nodes[k].node;
+            g(other, cost(f, static_cast<Node>(node), other));
           }
-        }
-    }
-    return result;
+    });
   }
 
   // that of the arc from one node of a face to another
   double cost(const std::size_t face, const Node a, const Node b) const
   {
-    long double squared = 0;
-    for(std::size_t i = 0; i < 3; ++i)
-      squared += (m_places[a][i] - m_places[b][i]) * (m_places[a][i] - m_places[b][i]);
-    return static_cast<double>(m_faces[face].weight * std::sqrt(squared));
+    return static_cast<double>(m_faces[face].weight * distance(a, b));
   }
 
 private:
   using Intrinsic_point = std::array<long double, 3>; // coordinates cancel when points are close
 
+  // A node at the border of a face, its side, and those before and behind it there. A vertex is on
+  // the side that it starts.
+  struct Border_node
+  {
+    Node node;
+    std::size_t side;
+    Node before, behind;
+  };
+
   struct Weighted_face
   {
     double weight;
-    std::vector<Node> nodes;
+    std::array<Node, 3> corners;
+    std::array<std::size_t, 3> sizes; // numbers of points on the sides
+    std::vector<Border_node> nodes;
   };
+
+  long double distance(const Node a, const Node b) const
+  {
+    long double squared = 0;
+    for(std::size_t i = 0; i < 3; ++i)
+      squared += (m_places[a][i] - m_places[b][i]) * (m_places[a][i] - m_places[b][i]);
+    return std::sqrt(squared);
+  }
+
+  // The definition of the report.
+  bool is_narrow(const Weighted_face& face, const std::size_t i, const std::size_t k) const
+  {
+    const Border_node &a = face.nodes[i], &b = face.nodes[k];
+    if(m_smallest_angle == 0 || a.side == b.side || is_corner(face, a) || is_corner(face, b))
+      return false;
+    if((a.side + 1) % 3 != b.side)
+      return is_narrow(face, k, i);
+    constexpr std::size_t smallest =
+        CGAL::Approximate_geodesics::internal::Narrow_arcs::SMALLEST_SIZE;
+    if((std::min)(face.sizes[a.side], face.sizes[b.side]) < smallest)
+      return false;
+    const Node v = face.corners[b.side]; // the end of the side of `a`, the start of that of `b`
+    const long double ratio =
+        smallest_ratio(v, face.corners[a.side], face.corners[(b.side + 1) % 3]);
+    return distance(v, a.behind) >= ratio * distance(v, b.behind) ||
+           distance(v, b.before) >= ratio * distance(v, a.before);
+  }
+
+  static bool is_corner(const Weighted_face& face, const Border_node& n)
+  {
+    return n.node == face.corners[n.side];
+  }
+
+  // of the distances from the corner, from which on an angle is small
+  long double smallest_ratio(const Node corner, const Node p, const Node q) const
+  {
+    const long double a = distance(corner, p), b = distance(corner, q), c = distance(p, q);
+    const long double angle = std::acos((a * a + b * b - c * c) / (2 * a * b));
+    return (std::max)(1.0L, std::sin(angle + m_smallest_angle) / std::sin(m_smallest_angle));
+  }
 
   static Intrinsic_point place(const Point& p) { return {p.x(), p.y(), p.z()}; }
 
@@ -112,21 +154,32 @@ private:
   {
     if(t.weight(h) == infinity)
       return;
-    Weighted_face face{t.weight(h) * t.weight_unit(), {}};
-    for(const Node side : {h, t.next(h), t.next(t.next(h))})
+    Weighted_face face{t.weight(h) * t.weight_unit(), {}, {}, {}};
+    std::size_t side = 0;
+    for(const Node g : {h, t.next(h), t.next(t.next(h))})
     {
-      const std::vector<Node>& points = nodes_of_edge[(std::min)(side, t.opposite(side))];
-      face.nodes.push_back(t.source(side));
-      face.nodes.insert(face.nodes.end(), points.begin(), points.end());
+      std::vector<Node> points = nodes_of_edge[(std::min)(g, t.opposite(g))];
+      const Node start = t.source(g);
+      std::sort(points.begin(), points.end(), [&](const Node a, const Node b) {
+        return distance(start, a) < distance(start, b);
+      });
+      face.corners[side] = start;
+      face.sizes[side] = points.size();
+      points.insert(points.begin(), start);
+      points.push_back(t.target(g));
+      for(std::size_t i = 0; i + 1 < points.size(); ++i)
+        face.nodes.push_back({points[i], side, i > 0 ? points[i - 1] : start, points[i + 1]});
+      ++side;
     }
-    for(const Node n : face.nodes)
-      m_faces_of_node[n].push_back(m_faces.size());
+    for(std::size_t i = 0; i < face.nodes.size(); ++i)
+      m_faces_of_node[face.nodes[i].node].emplace_back(m_faces.size(), i);
     m_faces.push_back(face);
   }
 
-  std::vector<Intrinsic_point> m_places; // per node
-  std::vector<std::vector<std::size_t>> m_faces_of_node;
+  std::vector<Intrinsic_point> m_places;                                         // per node
+  std::vector<std::vector<std::pair<std::size_t, std::size_t>>> m_faces_of_node; // and places there
   std::vector<Weighted_face> m_faces;
+  long double m_smallest_angle = 0; // of arcs, where arcs are left out
 };
 
 } // namespace geodesics_test

@@ -7,14 +7,13 @@
 #define APPROXIMATE_GEODESICS_TEST_LONG_DOUBLE_DISTANCES_H
 
 #include "meshes/test_soup.h"
+#include "paths/dijkstra.h"
 
 #include <algorithm>
 #include <array>
 #include <cmath>
 #include <cstddef>
-#include <functional>
 #include <limits>
-#include <queue>
 #include <utility>
 #include <vector>
 
@@ -65,24 +64,11 @@ public:
 
   std::vector<Long> distances(const std::size_t source) const
   {
-    std::vector<Long> result(m_arcs.size(), infinite);
-    std::priority_queue<Arc, std::vector<Arc>, std::greater<Arc>> queue;
-    result[source] = 0;
-    queue.push({0, source});
-    while(!queue.empty())
-    {
-      const auto [distance, node] = queue.top();
-      queue.pop();
-      if(distance > result[node])
-        continue;
-      for(const auto& [length, target] : m_arcs[node])
-        if(distance + length < result[target])
-        {
-          result[target] = distance + length;
-          queue.push({result[target], target});
-        }
-    }
-    return result;
+    return textbook_distances<Long>(m_arcs.size(), source,
+                                    [&](const std::size_t node, const auto& f) {
+                                      for(const auto& [length, target] : m_arcs[node])
+                                        f(target, length);
+                                    });
   }
 
 private:

@@ -243,29 +243,47 @@ inline void add_if_sharp(const Halfedge_vector& right,
     sharp_corners.push_back(right.halfedge);
 }
 
-// Selects the thin faces among those with sharp corners: those whose shapes cannot be computed
-// accurately from lengths. `points` are the vertices in the unit of the triangulation.
+// Returns the first halfedges of the thin faces among those with sharp corners: of faces whose
+// shapes cannot be computed accurately from lengths.
+inline std::vector<Index> find_thin_faces(const std::vector<std::vector<Index>>& sharp_corners,
+                                          const Intrinsic_triangulation& triangulation,
+                                          const Loop& loop)
+{
+  std::vector<std::vector<Index>> shares(sharp_corners.size());
+  loop.run(shares.size(), [&](const std::size_t i, std::size_t /* thread */) {
+    for(const Index h : sharp_corners[i])
+      if(!triangulation.is_border(h))
+        if(const auto [a, b, c] = triangulation.halfedges_of_face(h); Thin_faces::is_thin(
+               triangulation.length(a), triangulation.length(b), triangulation.length(c)))
+          shares[i].push_back((std::min)({a, b, c}));
+  });
+  std::vector<Index> result;
+  for(const std::vector<Index>& share : shares)
+    result.insert(result.end(), share.begin(), share.end());
+  std::sort(result.begin(), result.end());
+  result.erase(std::unique(result.begin(), result.end()), result.end());
+  return result;
+}
+
+// Computes the shapes of these faces. `points` are the vertices in the unit of the triangulation.
 inline Thin_faces thin_faces(const std::vector<std::vector<Index>>& sharp_corners,
                              const std::vector<Space_vector>& points,
-                             const Intrinsic_triangulation& triangulation)
+                             const Intrinsic_triangulation& triangulation,
+                             const Loop& loop)
 {
-  std::vector<Index> faces; // by their first halfedges
-  for(const std::vector<Index>& share : sharp_corners)
-    for(const Index h : share)
-      if(!triangulation.is_border(h))
-        faces.push_back(triangulation.first_of_face(h));
-  std::sort(faces.begin(), faces.end());
-  faces.erase(std::unique(faces.begin(), faces.end()), faces.end());
+  const std::vector<Index> faces = find_thin_faces(sharp_corners, triangulation, loop);
+  std::vector<Thin_face> shapes(faces.size());
+  loop.run_blocks(faces.size(), [&](const std::size_t first, const std::size_t beyond) {
+    for(std::size_t i = first; i < beyond; ++i)
+    {
+      const auto [a, b, c] = triangulation.halfedges_of_face(faces[i]);
+      shapes[i] = thin_face(points[triangulation.target(c)], points[triangulation.target(a)],
+                            points[triangulation.target(b)]);
+    }
+  });
   Thin_faces result;
-  for(const auto h : faces)
-  {
-    const Thin_faces::Halfedges sides = triangulation.halfedges_of_face(h);
-    if(Thin_faces::is_thin(triangulation.length(h), triangulation.length(sides[1]),
-                           triangulation.length(sides[2])))
-      result.add(sides,
-                 thin_face(points[triangulation.target(sides[2])], points[triangulation.target(h)],
-                           points[triangulation.target(sides[1])]));
-  }
+  for(std::size_t i = 0; i < faces.size(); ++i)
+    result.add(triangulation.halfedges_of_face(faces[i]), shapes[i]);
   result.shrink_to_fit();
   return result;
 }
@@ -329,15 +347,56 @@ void check_sum(const Edge_lengths& lengths, const Connectivity& connectivity)
            name);
 }
 
-// Reads the edge lengths of a mesh. `vertices` and `halfedges` have the order of the connectivity.
+// Reads the points of vertices that are in the order of their indices. Those of null vertices are
+// zero. Returns nothing if lengths are given.
+template <typename TriangleMesh, typename Vertices, typename NamedParameters>
+std::vector<Space_vector>
+read_points(const TriangleMesh& tmesh, const Vertices& vertices, const NamedParameters& np)
+{
+  std::vector<Space_vector> result;
+  if constexpr(!is_given<NamedParameters, internal_np::edge_length_t>)
+  { // not instantiated for meshes without points
+    using Traits = typename GetGeomTraits<TriangleMesh, NamedParameters>::type;
+    const Traits traits = parameters::choose_parameter<Traits>(
+        parameters::get_parameter(np, internal_np::geom_traits));
+    const auto point_map = vertex_point_map(tmesh, np);
+    reserve_huge_pages(result, vertices.size());
+    for(const auto v : vertices)
+    {
+      const bool is_removed = v == boost::graph_traits<TriangleMesh>::null_vertex();
+      result.push_back(is_removed ? Space_vector{} : double_point(get(point_map, v), traits));
+      for(const double coordinate : result.back())
+        if(!std::isfinite(coordinate))
+          reject("vertex " + std::to_string(result.size() - 1) +
+                 " has a coordinate that is infinite or not a number");
+    }
+  }
+  return result;
+}
+
+// Returns the points of these vertices.
+inline std::vector<Space_vector> select(const std::vector<Space_vector>& points,
+                                        const std::vector<Index>& vertices,
+                                        const Loop& loop)
+{
+  std::vector<Space_vector> result;
+  resize_in_huge_pages(result, vertices.size());
+  loop.run_blocks(vertices.size(), [&](const std::size_t first, const std::size_t beyond) {
+    for(std::size_t i = first; i < beyond; ++i)
+      result[i] = points[vertices[i]];
+  });
+  return result;
+}
+
+// Reads or computes the edge lengths of a mesh. `points` and `halfedges` have the order of the
+// connectivity.
 template <typename TriangleMesh,
-          typename Vertices,
           typename Halfedges,
           typename NamedParameters,
           typename Connectivity>
-Edge_lengths read_edge_lengths(const TriangleMesh& tmesh,
-                               const Vertices& vertices,
-                               const Halfedges& halfedges,
+Edge_lengths read_edge_lengths([[maybe_unused]] const TriangleMesh& tmesh,
+                               [[maybe_unused]] std::vector<Space_vector> points,
+                               [[maybe_unused]] const Halfedges& halfedges,
                                const NamedParameters& np,
                                const Connectivity& connectivity)
 {
@@ -345,25 +404,9 @@ Edge_lengths read_edge_lengths(const TriangleMesh& tmesh,
   if constexpr(is_given<NamedParameters, internal_np::edge_length_t>)
     result = given_lengths(tmesh, halfedges,
                            parameters::get_parameter(np, internal_np::edge_length), connectivity);
-  else // not instantiated for meshes without points
-  {
-    using Traits = typename GetGeomTraits<TriangleMesh, NamedParameters>::type;
-    const Traits traits = parameters::choose_parameter<Traits>(
-        parameters::get_parameter(np, internal_np::geom_traits));
-    const auto point_map = vertex_point_map(tmesh, np);
-    std::vector<Space_vector> points;
-    reserve_huge_pages(points, vertices.size());
-    for(Index v = 0; v < vertices.size(); ++v)
-    {
-      points.push_back(double_point(get(point_map, vertices[v]), traits));
-      for(const double coordinate : points.back())
-        if(!std::isfinite(coordinate))
-          reject("vertex " + std::to_string(connectivity.index(v)) +
-                 " has a coordinate that is infinite or not a number");
-    }
+  else
     result = straight_lengths(std::move(points), connectivity,
                               Loop::with_tag<Concurrency_tag<NamedParameters>>());
-  }
   check_sum(result, connectivity);
   return result;
 }

@@ -207,6 +207,9 @@ public:
   // The number of scanned arcs, if they are counted.
   std::size_t number_of_arcs() const { return m_number_of_arcs; }
 
+  // Which thread appends to a part, in `append_in_parallel()`.
+  std::size_t thread() const { return m_thread; }
+
   // Removes all candidates. `distances` are the labels, which must not change before the next call.
   void start(const double* const distances, const bool counts)
   {
@@ -270,8 +273,11 @@ public:
   {
     m_turns.resize(number);
     m_lists.resize((std::max)(m_lists.size(), loop.number_of_threads()));
-    for(Candidate_list& list : m_lists)
-      list.start(m_distances, m_counts);
+    for(std::size_t thread = 0; thread < m_lists.size(); ++thread)
+    {
+      m_lists[thread].start(m_distances, m_counts);
+      m_lists[thread].m_thread = thread;
+    }
     loop.run(number, [&](const std::size_t i, const std::size_t thread) {
       Candidate_list list = std::move(m_lists[thread]); // avoids false sharing
       const std::size_t first = list.size();
@@ -392,6 +398,7 @@ private:
   bool m_counts = false;
   std::optional<Queue_entry> m_next_call;
   std::vector<Candidate_list> m_lists; // by thread, for locality
+  std::size_t m_thread = 0;
   std::vector<Turn> m_turns;
 };
 
@@ -514,7 +521,10 @@ private:
       if constexpr(has_prefetch<Graph>)
         m_graph.prefetch(node);
       *end = node;
-      end += static_cast<std::ptrdiff_t>(!is_stale(key, distances[node], node, m_heuristic));
+      if constexpr(needs_order<Heuristic> && can_keep_order<Queue>)
+        ++end; // such a queue lowers keys in place
+      else
+        end += static_cast<std::ptrdiff_t>(!is_stale(key, distances[node], node, m_heuristic));
     }
     order.resize(static_cast<std::size_t>(end - order.data()));
     m_size = order.size() - first;

@@ -37,6 +37,13 @@ inline double cross(const Plane_vector a, const Plane_vector b) { return a.x * b
 
 inline double length(const Plane_vector a) { return std::sqrt(dot(a, a)); }
 
+// `a` divided by its length; zero if it has none
+inline Plane_vector direction_of(const Plane_vector a)
+{
+  const double l = length(a);
+  return l > 0 ? 1 / l * a : Plane_vector{0, 0};
+}
+
 // from the x axis, between -pi and pi
 inline double angle_of(const Plane_vector a) { return std::atan2(a.y, a.x); }
 

@@ -9,11 +9,13 @@
 #include <CGAL/license/Approximate_geodesics.h>
 
 #include <CGAL/Approximate_geodesics/Base/Arc_lengths.h>
+#include <CGAL/Approximate_geodesics/Base/internal/Loop.h>
 #include <CGAL/Approximate_geodesics/Surface/internal/Balanced_fans.h>
 
 #include <algorithm>
 #include <array>
 #include <cstddef>
+#include <numeric>
 #include <optional>
 #include <utility>
 #include <vector>
@@ -125,22 +127,18 @@ public:
   // crosses is about their length divided by their width. Those around hubs do not count, as fans
   // can be balanced, nor those that are nearly degenerate. In a small mesh, lines cross few faces
   // in any case.
-  static bool are_useful(const Intrinsic_triangulation& mesh)
+  static bool are_useful(const Intrinsic_triangulation& mesh, const Loop& loop = Loop())
   {
-    constexpr double most_faces = 8, largest = 1e3;
+    constexpr double most_faces = 8;
     if(mesh.number_of_halfedges() < 3 * SMALLEST_NUMBER_OF_FACES)
       return false;
-    double sum = 0;
-    for(Index v = 0; v < mesh.number_of_vertices(); ++v)
-      for(Index h = mesh.first_halfedge(v); h < mesh.beyond_halfedge(v); ++h)
-      {
-        const double a = mesh.length(h), b = mesh.length(mesh.counterclockwise(v, h));
-        const double shorter = (std::min)(a, b), longer = (std::max)(a, b);
-        if(longer > LARGEST_ASPECT * shorter && shorter > Edge_flips::SMALLEST_HEIGHT * longer &&
-           !mesh.is_border(h) && !is_at_hub(mesh, v, h))
-          sum += (std::min)(largest, longer / shorter);
-      }
-    return sum > most_faces * mesh.number_of_halfedges();
+    const std::size_t number_of_vertices = mesh.number_of_vertices(), size = Loop::SIZE_OF_BLOCK;
+    std::vector<double> sums(number_of_vertices / size + 1);
+    loop.run(sums.size(), [&](const std::size_t i, std::size_t /* thread */) {
+      sums[i] = sum_of_needles(mesh, static_cast<Index>(i * size),
+                               static_cast<Index>((std::min)((i + 1) * size, number_of_vertices)));
+    });
+    return std::accumulate(sums.begin(), sums.end(), 0.) > most_faces * mesh.number_of_halfedges();
   }
 
   // Refines the needles of the mesh that `flips` is a copy of. The number of flips is limited, in
@@ -186,6 +184,24 @@ private:
       m_number_of_vertices(flips.number_of_vertices()),
       m_covered(flips.number_of_vertices(), 0)
   {
+  }
+
+  // Adds up, at these vertices, how many times as long as wide needles are.
+  static double
+  sum_of_needles(const Intrinsic_triangulation& mesh, const Index first, const Index beyond)
+  {
+    constexpr double largest = 1e3;
+    double result = 0;
+    for(Index v = first; v < beyond; ++v)
+      for(Index h = mesh.first_halfedge(v); h < mesh.beyond_halfedge(v); ++h)
+      {
+        const double a = mesh.length(h), b = mesh.length(mesh.counterclockwise(v, h));
+        const double shorter = (std::min)(a, b), longer = (std::max)(a, b);
+        if(longer > LARGEST_ASPECT * shorter && shorter > Edge_flips::SMALLEST_HEIGHT * longer &&
+           !mesh.is_border(h) && !is_at_hub(mesh, v, h))
+          result += (std::min)(largest, longer / shorter);
+      }
+    return result;
   }
 
   static bool is_at_hub(const Intrinsic_triangulation& mesh, const Index v, const Index h)

@@ -33,9 +33,10 @@ class Retriangulation
 {
 public:
   // Returns the retriangulation of `mesh`, if its faces need one.
-  static std::optional<Retriangulation> make(const Intrinsic_triangulation& mesh)
+  static std::optional<Retriangulation> make(const Intrinsic_triangulation& mesh,
+                                             const Loop& loop = Loop())
   {
-    const bool has_needles = Refined_needles::are_useful(mesh);
+    const bool has_needles = Refined_needles::are_useful(mesh, loop);
     if(has_needles || Balanced_fans::are_useful(mesh))
     {
       // more flips than strips and fans of needles need, which is about one per halfedge

@@ -512,6 +512,15 @@ public:
     return i == j ? Plane_vector{0, 0} : j == (i + 1) % 3 ? m_edges[i] : -1. * m_edges[j];
   }
 
+  // The direction of a halfedge of the face, of length 1; zero if the halfedge has no length.
+  Plane_vector direction(const Index h) const
+  {
+    std::size_t i = 0;
+    while(i < 2 && m_halfedges[i] != h)
+      ++i;
+    return direction_of(m_edges[i]);
+  }
+
   Plane_vector position(const Face_point& point) const
   {
     return point.seen_from(m_triangulation, m_halfedges[0]).position(m_corners);

@@ -339,6 +339,24 @@ public:
     visitor.finish();
   }
 
+  /*!
+   * prepares for very many intervals, until weights or barriers change: makes `Portal_labels`, from
+   * which `find_pair_intervals()` reads those of pairs of vertices, without a search, at any
+   * distance. The quotient of their ends is larger by a factor of up to `1 + epsilon`. No other
+   * thread may use the solver meanwhile.
+   *
+   * \throws std::invalid_argument as the constructor of `Portal_labels` does, and if distances are
+   *         exact.
+   *
+   * Run time and memory are those of this class.
+   */
+  void prepare_intervals(const double epsilon, const Solver_watch& watch = Solver_watch())
+  {
+    internal::Solver_visitor visitor(watch);
+    internal::with_threads(m_number_of_threads, [&] { m_graph->prepare_intervals(epsilon); });
+    visitor.finish();
+  }
+
   /// @}
 
   /// \name Distances and Paths
@@ -431,7 +449,8 @@ public:
                            const Solver_watch& watch = Solver_watch()) const;
 
   /// finds intervals that contain the distances on the surface: writes the lower and the upper end
-  /// for each pair. The lower end is `0` if there is no error bound.
+  /// for each pair. The lower end is `0` if there is no error bound. See also
+  /// `prepare_intervals()`.
   void find_pair_intervals(const std::vector<Solver_point>& sources,
                            const std::vector<Solver_point>& targets,
                            double* ends,

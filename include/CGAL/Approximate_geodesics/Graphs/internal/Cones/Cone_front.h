@@ -87,8 +87,9 @@ struct Cone_memories
   std::vector<Cone, Uninitialized_allocator<Cone>> cones, next;
 };
 
-// Memory for one front after the other, of either kind.
-struct Front_memory
+// Memory for one front after the other, of either kind. Each thread has one, in a cache line of its
+// own.
+struct alignas(64) Front_memory
 {
   template <typename Cone>
   Cone_memories<Cone>& get()

@@ -52,6 +52,11 @@ protected:
  * The run of a lazy graph, which records the nodes that were expanded. Nodes that are expanded for
  * the first time are expanded together. All arcs of nodes that are expanded again are computed, as
  * arcs that were of no use with the larger label may be needed.
+ *
+ * Several threads expand all nodes of a round of the queue at once. Many of these get shorter paths
+ * over other ones, and would be expanded again. But few of those paths are not along an edge. So
+ * threads first look at the edges: a node with a shorter path along one waits, and only this arc is
+ * appended.
  */
 template <typename Graph>
 class Cone_run : public Arc_run<Graph>
@@ -78,34 +83,30 @@ public:
               const Labels& labels,
               Candidates& candidates)
   {
-    constexpr std::size_t fewest_nodes = 64;
+    constexpr std::size_t fewest_nodes = 32;
+    const Loop& loop = graph().m_loop;
+    const bool is_parallel = graph().is_parallel() && number >= fewest_nodes;
     m_is_expanded.resize(graph().number_of_nodes());
-    const std::size_t number_of_turns = (number + NODES_AT_A_TIME - 1) / NODES_AT_A_TIME;
-    const auto expand_some = [&](const std::size_t i, Candidates& part, Front_memory& memory) {
-      boost::container::small_vector<Node, NODES_AT_A_TIME> together;
-      const Node* const beyond = nodes + (std::min)((i + 1) * NODES_AT_A_TIME, number);
-      for(const Node* n = nodes + i * NODES_AT_A_TIME; n != beyond; ++n)
-        if(const Node node = *n; graph().advances_together() && !m_is_expanded[node])
-          together.push_back(node);
-        else
-          graph().find_arcs_in_turn(
-              node, m_is_expanded[node], labels, [&](const Node target, const double length) {
-                part.make_room(1);
-                part.append(true, node, labels.distance(node), target, length);
-              });
-      graph().expand(together.data(), together.size(), m_epsilon, labels, part, memory);
+    m_waits.assign(number, false);
+    m_memories.resize(
+        (std::max)(m_memories.size(), is_parallel ? loop.number_of_threads() : std::size_t(1)));
+    const std::size_t size_of_turn = graph().is_parallel() ? SIZE_OF_TASK : LARGEST_FRONT;
+    const std::size_t number_of_turns = (number + size_of_turn - 1) / size_of_turn;
+    const auto take_turn = [&](const std::size_t i, Candidates& part, Front_memory& memory) {
+      const std::size_t first = i * size_of_turn, beyond = (std::min)(first + size_of_turn, number);
+      expand_some(nodes, first, beyond, labels, part, memory);
     };
-    if(graph().is_parallel() && number >= fewest_nodes)
-      candidates.append_in_parallel(graph().m_loop, number_of_turns,
+    if(is_parallel)
+      candidates.append_in_parallel(loop, number_of_turns,
                                     [&](const std::size_t i, Candidates& part) {
-                                      Front_memory memory;
-                                      expand_some(i, part, memory);
+                                      take_turn(i, part, m_memories[part.thread()]);
                                     });
     else
       for(std::size_t i = 0; i < number_of_turns; ++i)
-        expand_some(i, candidates, m_memory);
+        take_turn(i, candidates, m_memories.front());
     for(std::size_t i = 0; i < number; ++i)
-      m_is_expanded[nodes[i]] = true;
+      if(!m_waits[i])
+        m_is_expanded[nodes[i]] = true;
   }
 
   void discard(const Node node)
@@ -122,18 +123,75 @@ public:
 
   void forget_all() { m_is_expanded.clear(); }
 
-  // In a larger batch, more nodes get shorter paths from other nodes of the batch, and have to be
-  // expanded again.
-  std::size_t largest_batch() const { return graph().is_parallel() ? 4 * NODES_AT_A_TIME : 0; }
+  std::size_t largest_batch() const
+  {
+    if(!graph().is_parallel())
+      return 0;
+    return graph().advances_together() ? 4096 : 128;
+  }
 
-  std::size_t memory() const { return memory_of(m_is_expanded, m_memory); }
+  std::size_t memory() const
+  {
+    std::size_t result = memory_of(m_is_expanded, m_waits, m_memories);
+    for(const Front_memory& memory : m_memories)
+      result += memory.memory();
+    return result;
+  }
 
 private:
-  static constexpr std::size_t NODES_AT_A_TIME = 32;
+  static constexpr std::size_t LARGEST_FRONT = 32; // nodes that are expanded together
+  static constexpr std::size_t SIZE_OF_TASK = 16;  // the same for several threads: short tasks
+
+  // Expands the nodes from the `first` one on, as a task of one thread.
+  template <typename Labels, typename Candidates>
+  void expand_some(const Node* const nodes,
+                   const std::size_t first,
+                   const std::size_t beyond,
+                   const Labels& labels,
+                   Candidates& candidates,
+                   Front_memory& memory)
+  {
+    boost::container::small_vector<Node, LARGEST_FRONT> together;
+    const bool advances_together = graph().advances_together();
+    for(std::size_t i = first; i < beyond; ++i)
+      if(const Node node = nodes[i]; advances_together && graph().is_parallel() &&
+                                     append_shorter_path(node, labels, candidates))
+        m_waits[i] = true;
+      else if(advances_together && !m_is_expanded[node])
+        together.push_back(node);
+      else
+        graph().find_arcs_in_turn(
+            node, m_is_expanded[node], labels, [&](const Node target, const double length) {
+              candidates.make_room(1);
+              candidates.append(true, node, labels.distance(node), target, length);
+            });
+    graph().expand(together.data(), together.size(), m_epsilon, labels, candidates, memory);
+  }
+
+  // Appends the edges that lead to `node` and lower its label. Returns whether there are any.
+  template <typename Labels, typename Candidates>
+  bool append_shorter_path(const Node node, const Labels& labels, Candidates& candidates) const
+  {
+    const Intrinsic_triangulation& triangulation = graph().m_triangulation.get();
+    const double label = labels.distance(node);
+    bool result = false;
+    for(Index h = triangulation.first_halfedge(node); h < triangulation.beyond_halfedge(node); ++h)
+    {
+      const Node neighbor = triangulation.target(h);
+      const double label_of_neighbor = labels.distance(neighbor), length = triangulation.length(h);
+      if(!(label_of_neighbor + length < label))
+        continue;
+      candidates.make_room(1);
+      candidates.append(true, neighbor, label_of_neighbor, node, length);
+      result = true;
+    }
+    return result;
+  }
 
   double m_epsilon;
-  std::vector<bool> m_is_expanded; // empty before the first expansion
-  Front_memory m_memory;
+  std::vector<bool> m_is_expanded;      // empty before the first expansion
+  std::vector<char> m_waits;            // by node of the batch
+  std::vector<Front_memory> m_memories; // by thread
 };
 
 } // namespace CGAL::Approximate_geodesics::internal

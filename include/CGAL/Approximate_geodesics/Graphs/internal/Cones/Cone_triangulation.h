@@ -26,8 +26,8 @@ class Cone_triangulation
 public:
   Cone_triangulation() = default;
 
-  explicit Cone_triangulation(Intrinsic_triangulation mesh)
-    : m_mesh(std::move(mesh)), m_other(Retriangulation::make(m_mesh))
+  explicit Cone_triangulation(Intrinsic_triangulation mesh, const Loop& loop = Loop())
+    : m_mesh(std::move(mesh)), m_other(Retriangulation::make(m_mesh, loop))
   {
   }
 

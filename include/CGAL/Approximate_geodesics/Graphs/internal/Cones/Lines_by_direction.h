@@ -12,7 +12,6 @@
 #include <CGAL/Approximate_geodesics/Surface/internal/Retriangulation.h>
 
 #include <cmath>
-#include <cstddef>
 #include <optional>
 
 namespace CGAL::Approximate_geodesics::internal {
@@ -53,7 +52,7 @@ private:
              cross(w.right_position, edge) > 1.01 * reach * cross(direction, edge);
     }
 
-    Plane_vector direction; // of length 1
+    Plane_vector direction; // of length 1, or zero, for which all windows are pruned
     double reach;
     double tolerance;
   };
@@ -69,8 +68,8 @@ private:
     const Intrinsic_triangulation& t = m_triangulation;
     const auto look = [&](const Index h, const double angle) {
       for_each_view_out_of_face(h, [&](const View& view) {
-        const Plane_vector ray =
-            turned_left(unit_vector(h, view.start), {std::cos(angle), std::sin(angle)});
+        const Plane_vector side = Face_layout(t, view.start).direction(h),
+                           ray = turned_left(side, {std::cos(angle), std::sin(angle)});
         find_line_in_view(end, view, Along_line{{}, ray, reach, tolerance}, search);
       });
     };
@@ -86,18 +85,6 @@ private:
       angle -= corner;
       h = t.counterclockwise(m_point.vertex, h);
     }
-  }
-
-  // The direction of `h` as it is laid out for the view through `side`, a halfedge of the same
-  // face.
-  Plane_vector unit_vector(const Index h, const Index side) const
-  {
-    const Face_layout layout(m_triangulation, side);
-    std::size_t i = 0;
-    while(i < 2 && layout.halfedge(i) != h)
-      ++i;
-    const Plane_vector edge = layout.edge(i, (i + 1) % 3);
-    return 1 / length(edge) * edge;
   }
 };
 

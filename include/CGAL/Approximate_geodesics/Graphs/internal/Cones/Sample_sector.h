@@ -13,7 +13,6 @@
 #include <CGAL/Approximate_geodesics/Surface/Intrinsic_curve.h>
 
 #include <cmath>
-#include <cstddef>
 #include <optional>
 #include <type_traits>
 
@@ -49,22 +48,6 @@ struct In_sector : Visitor
   Sample_sector sector;
 };
 
-// The direction of a vector; zero, which is beyond no ray, if its length is.
-inline Plane_vector direction_of(const Plane_vector v)
-{
-  const double l = length(v);
-  return l > 0 ? 1 / l * v : Plane_vector{0, 0};
-}
-
-// The direction of a halfedge of a face in its layout.
-inline Plane_vector unit_vector(const Face_layout& layout, const Index h)
-{
-  std::size_t i = 0;
-  while(layout.halfedge(i) != h)
-    ++i;
-  return direction_of(layout.edge(i, (i + 1) % 3));
-}
-
 // The direction of a side of a face that contains the point, which is the sample, in the layout of
 // the sample's face. The latter may be on the other side of an edge that the point lies on; none if
 // that is the same face.
@@ -79,12 +62,12 @@ inline std::optional<Plane_vector> direction_of_side(const Intrinsic_triangulati
     return std::nullopt;
   const Face_layout own(t, sample.halfedge);
   if(face_of(side) == face_of(sample.halfedge))
-    return unit_vector(own, side);
+    return own.direction(side);
   const bool is_in_own_face = face_of(point.halfedge) == face_of(sample.halfedge);
   const Index h = is_in_own_face ? point.halfedge : t.opposite(point.halfedge);
   const Face_layout beyond(t, side);
-  const Plane_vector edge = unit_vector(beyond, t.opposite(h));
-  return turned_left(turned_right(unit_vector(beyond, side), -1. * edge), unit_vector(own, h));
+  const Plane_vector edge = beyond.direction(t.opposite(h));
+  return turned_left(turned_right(beyond.direction(side), -1. * edge), own.direction(h));
 }
 
 // The sector of a sample in a view from its point; none where it is not known.

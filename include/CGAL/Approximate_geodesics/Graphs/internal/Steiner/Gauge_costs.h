@@ -85,6 +85,7 @@ class Gauge_costs : public Steiner_view
 {
 public:
   static constexpr bool are_symmetric = false;
+  static constexpr bool has_narrow_arcs = false;
   using Edges = Edge_costs;
 
   Gauge_costs(const Intrinsic_triangulation& triangulation,

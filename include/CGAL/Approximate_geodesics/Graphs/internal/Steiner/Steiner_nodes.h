@@ -11,6 +11,8 @@
 #include <CGAL/Approximate_geodesics/Graphs/internal/Steiner/limit_of_points.h>
 #include <CGAL/Approximate_geodesics/Surface/Intrinsic_point.h>
 
+#include <boost/type_traits/is_detected.hpp>
+
 #include <algorithm>
 #include <array>
 #include <cstddef>
@@ -278,6 +280,9 @@ private:
   std::vector<Index> m_first_halfedge;
 };
 
+template <typename Placement>
+using Tangent_of_narrow_arcs = decltype(std::declval<const Placement&>().tangent_of_narrow_arcs());
+
 /*
  * The nodes of a Steiner graph: the vertices, then the points on edges, then the sectors of divided
  * vertices. All member functions must be given the triangulation that the constructor was given.
@@ -308,12 +313,18 @@ public:
     if(m_points.number_of_points() > 0) // there are arcs across faces
       triangulation.check_triangle_inequality();
     m_maximum_degree = find_maximum_degree(triangulation);
+    if constexpr(boost::is_detected_v<Tangent_of_narrow_arcs, Placement>)
+      m_tangent_of_narrow_arcs = placement.tangent_of_narrow_arcs();
   }
 
   const Points_on_edges& points() const { return m_points; }
   const Sectors& sectors() const { return m_sectors; }
 
   std::size_t size() const { return std::size_t(m_first_sector) + m_sectors.number_of_sectors(); }
+
+  // Returns the tangent of the largest angle with a side at which an arc across a face is narrow,
+  // or 0 if no arcs are left out.
+  double tangent_of_narrow_arcs() const { return m_tangent_of_narrow_arcs; }
 
   // Returns an upper bound of the number of arcs that start from a node.
   std::size_t maximum_degree() const { return m_maximum_degree; }
@@ -443,6 +454,7 @@ private:
   Node m_first_point = 0;
   Node m_first_sector = 0;
   std::size_t m_maximum_degree = 0;
+  double m_tangent_of_narrow_arcs = 0;
 };
 
 /*

@@ -31,29 +31,32 @@ namespace CGAL::Approximate_geodesics::internal {
  * sources, at edges that are long for their distance. Whether an edge is divided depends on nothing
  * but the edge, so that faces fit together. Distances on edges and in faces are found from
  * those of vertices, and from the directions in which paths arrive there; where these do not tell
- * them well enough, by queries of the search.
+ * them well enough, by queries of the search. All is in units of the triangulation: squares of
+ * lengths in the unit of the mesh may be no numbers.
  */
 template <typename Search>
 class Offset_tracer
 {
 public:
-  // `distances` are sorted. `step` is what errors are relative to. The search has gone farther than
-  // the largest distance by more than an edge.
+  // `distances` are sorted. `step` is what errors are relative to. Both are in the unit of the
+  // mesh. The search has gone farther than the largest distance by more than an edge.
   Offset_tracer(const Search& search, std::vector<double> distances, const double step)
     : m_search(search),
       m_triangulation(search.graph().triangulation()),
-      m_on_edges(search, LARGEST_ERROR * step / m_triangulation.unit()),
+      m_step(step / m_triangulation.unit()),
+      m_on_edges(search, LARGEST_ERROR * m_step),
       m_distances(std::move(distances)),
-      m_step(step),
       m_middles(m_triangulation),
       m_first_crossings(m_triangulation)
   {
+    for(double& d : m_distances)
+      d /= m_triangulation.unit();
   }
 
   std::vector<Offset_line> trace()
   {
     for(Index v = 0; v < m_triangulation.number_of_vertices(); ++v)
-      m_values.push_back(m_search.distance(Intrinsic_point::at_vertex(v)));
+      m_values.push_back(m_search.distance(Intrinsic_point::at_vertex(v)) / m_triangulation.unit());
     const std::vector<bool> is_source = faces_of_sources();
     for(Index h = 0; h < m_triangulation.number_of_halfedges(); ++h)
       if(!m_triangulation.is_border(h) && m_triangulation.first_of_face(h) == h && !is_source[h])
@@ -99,6 +102,9 @@ private:
   // those of middles of chords.
   static constexpr double LARGEST_ERROR = 8e-3, LARGEST_DIFFERENCE = 2e-3, LARGEST_HEIGHT = 5e-3;
 
+  // How often a side is divided at most.
+  static constexpr int DEEPEST = 24;
+
   const Distances_in_face& in_face()
   {
     if(m_face_of_distances != m_face)
@@ -112,9 +118,8 @@ private:
   double value(const Corner& c)
   {
     const double estimate = in_face().at(c.weight);
-    return m_triangulation.unit() * (is_small(m_in_face.estimated_error())
-                                         ? estimate
-                                         : m_on_edges.distance(point(c), estimate));
+    return is_small(m_in_face.estimated_error()) ? estimate
+                                                 : m_on_edges.distance(point(c), estimate);
   }
 
   bool is_small(const double error) const { return error <= m_on_edges.negligible_error(); }
@@ -138,7 +143,7 @@ private:
         return;
       triangle[i] = {v, {0, 0, 0}};
       triangle[i].weight[i] = 1;
-      sides[i] = {m_triangulation.length(halfedges[i]) * m_triangulation.unit(), halfedges[i]};
+      sides[i] = {m_triangulation.length(halfedges[i]), halfedges[i]};
     }
     divide(triangle, sides, 0);
     m_middles.forget_lines_in_face();
@@ -147,25 +152,33 @@ private:
 
   void divide(const Triangle& t, const Sides& sides, const int depth)
   {
-    constexpr int deepest = 24;
     check_for_interruption_at(m_number_of_triangles++);
     const auto [low, high] = range(t);
     const double reach = (std::max)({sides[0].length, sides[1].length, sides[2].length});
-    const auto first = std::lower_bound(m_distances.begin(), m_distances.end(), low - reach);
-    if(first == m_distances.end() || *first > high + reach)
+    if(!has_isoline(low - reach, high + reach))
       return;
     std::array<bool, 3> is_divided{};
     for(std::size_t i = 0; i < 3; ++i)
-      is_divided[i] = depth < deepest && is_long(t[i], t[(i + 1) % 3], sides[i].length);
+      is_divided[i] = depth < DEEPEST && is_long(t[i], t[(i + 1) % 3], sides[i].length);
     const auto number = std::count(is_divided.begin(), is_divided.end(), true);
     if(number == 0)
       return add_triangle(t, sides, low, high);
     std::size_t start = 0; // of a divided side, whose predecessor is not divided if there are two
     while(!is_divided[start] || (number == 2 && is_divided[(start + 2) % 3]))
       ++start;
-    divide({t[start], t[(start + 1) % 3], t[(start + 2) % 3]},
-           {sides[start], sides[(start + 1) % 3], sides[(start + 2) % 3]}, static_cast<int>(number),
-           depth + 1);
+    const Triangle turned{t[start], t[(start + 1) % 3], t[(start + 2) % 3]};
+    const Sides sides_of_it{sides[start], sides[(start + 1) % 3], sides[(start + 2) % 3]};
+    const auto& [ab, bc, ca] = sides_of_it;
+    if(number == 2 && 2 * ca.length <= (std::min)(ab.length, bc.length))
+      return divide_needle(turned, sides_of_it, depth + 1);
+    divide(turned, sides_of_it, static_cast<int>(number), depth + 1);
+  }
+
+  // Whether there is an isoline between two distances.
+  bool has_isoline(const double low, const double high) const
+  {
+    const auto first = std::lower_bound(m_distances.begin(), m_distances.end(), low);
+    return first != m_distances.end() && *first <= high;
   }
 
   // Divides the first sides, as many as `number`.
@@ -192,6 +205,67 @@ private:
     divide({a, m, o}, {ab.first_half(), half_bc, ca.second_half()}, depth);
     divide({o, n, c}, {half_ab, bc.second_half(), ca.first_half()}, depth);
     divide({m, n, o}, {half_ca, half_ab, half_bc}, depth);
+  }
+
+  // A part of a side that is not divided further, from one corner to the next.
+  struct Part
+  {
+    Corner start, end;
+    Side side;
+    int depth;
+  };
+
+  // Appends the parts of a side. Isolines may cross it that are as near as `width` to its range.
+  void add_parts(const Corner& a,
+                 const Corner& b,
+                 const Side& side,
+                 const double width,
+                 const int depth,
+                 std::vector<Part>& parts)
+  {
+    const auto [low, high] = std::minmax(m_values[a.number], m_values[b.number]);
+    const double reach = side.length + width;
+    if(depth == DEEPEST || !is_long(a, b, side.length) || !has_isoline(low - reach, high + reach))
+      return parts.push_back({a, b, side, depth});
+    const Corner m = middle(a, b, side);
+    add_parts(a, m, side.first_half(), width, depth + 1, parts);
+    add_parts(m, b, side.second_half(), width, depth + 1, parts);
+  }
+
+  // Divides the first two sides, which are far longer than the third one, into all of their parts
+  // at once: a strip of as many triangles. Divided by halves, each triangle would leave three of
+  // half its length, time and again.
+  void divide_needle(const Triangle& t, const Sides& sides, const int depth)
+  {
+    const auto& [a, b, c] = t;
+    const auto& [ab, bc, ca] = sides;
+    std::vector<Part> to_b, from_b;
+    add_parts(a, b, ab, ca.length, depth, to_b);
+    add_parts(b, c, bc, ca.length, depth, from_b);
+    const double opening = // twice what the cosine of the angle at b is short of 1
+        (std::max)(0., (ca.length - ab.length + bc.length) * (ca.length + ab.length - bc.length)) /
+        (ab.length * bc.length);
+    Corner p = a, q = c; // the corners of the strip that is left
+    Side pq = ca;
+    double x = ab.length, y = bc.length; // how far they are from b
+    auto next = to_b.begin();
+    for(auto last = from_b.rbegin();;)
+    {
+      const bool is_p_last = next + 1 == to_b.end(), is_q_last = last + 1 == from_b.rend();
+      const int deeper = (std::max)(next->depth, last->depth);
+      if(is_p_last && is_q_last)
+        return divide({p, b, q}, {next->side, last->side, pq}, deeper);
+      const bool moves_p = is_q_last || (!is_p_last && (x - next->side.length) * bc.length >=
+                                                           (y - last->side.length) * ab.length);
+      const Part& part = moves_p ? *next++ : *last++;
+      const Corner r = moves_p ? part.end : part.start;
+      (moves_p ? x : y) -= part.side.length;
+      const Side across{std::sqrt((x - y) * (x - y) + x * y * opening)};
+      divide({p, r, q}, moves_p ? Sides{part.side, across, pq} : Sides{across, part.side, pq},
+             part.depth);
+      (moves_p ? p : q) = r;
+      pq = across;
+    }
   }
 
   std::pair<double, double> range(const Triangle& t) const
@@ -347,18 +421,16 @@ private:
   template <typename F>
   auto with_distances(const Side& side, const Corner& from, const Corner& to, const F& f)
   {
-    const double unit = m_triangulation.unit();
     if(!side.is_part_of_edge())
-      return f([&](const double t) { return unit * in_face().at(between(from, to, t, 0).weight); },
+      return f([&](const double t) { return in_face().at(between(from, to, t, 0).weight); },
                [&](const double t) { return value(between(from, to, t, 0)); });
     const Distances_on_edge on_edge = m_on_edges[side.halfedge];
     const auto part_of_edge = [&](const double t) {
       return side.begin + t * (side.end - side.begin);
     };
-    return f([&](const double t) { return unit * on_edge.at(part_of_edge(t)); },
-             [&](const double t) {
-               return unit * m_on_edges.at(side.halfedge, on_edge, part_of_edge(t));
-             });
+    return f(
+        [&](const double t) { return on_edge.at(part_of_edge(t)); },
+        [&](const double t) { return m_on_edges.at(side.halfedge, on_edge, part_of_edge(t)); });
   }
 
   // The part of the way along a side at which an isoline crosses it.
@@ -415,9 +487,9 @@ private:
 
   const Search& m_search;
   const Intrinsic_triangulation& m_triangulation;
-  Distances_on_edges<Search> m_on_edges;
-  const std::vector<double> m_distances;
   const double m_step;
+  Distances_on_edges<Search> m_on_edges;
+  std::vector<double> m_distances;
   Index m_face = null_index; // a halfedge of the present one
   Index m_face_of_distances = null_index;
   Distances_in_face m_in_face;  // of that face

@@ -127,6 +127,11 @@ public:
   // thread may use the graph meanwhile. Throws std::invalid_argument if their number is 0.
   virtual void prepare_pairs(std::size_t number_of_landmarks) = 0;
 
+  // Makes labels, from which intervals of pairs of vertices are read until weights or barriers
+  // change. No other thread may use the graph meanwhile. Throws std::invalid_argument if the graph
+  // cannot have them.
+  virtual void prepare_intervals(double epsilon) = 0;
+
   // Writes the distance of each vertex, by its index in the mesh. Pointers that are not null also
   // receive the position of its nearest source, and the node of the vertex before it, or -1.
   virtual void find_distances(std::vector<Source_point> sources,

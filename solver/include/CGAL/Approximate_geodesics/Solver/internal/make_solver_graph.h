@@ -23,6 +23,7 @@
 #include <CGAL/Approximate_geodesics/Paths/Exact_landmarks.h>
 #include <CGAL/Approximate_geodesics/Paths/Path.h>
 #include <CGAL/Approximate_geodesics/Paths/Point_pairs.h>
+#include <CGAL/Approximate_geodesics/Paths/Portal_labels.h>
 #include <CGAL/Approximate_geodesics/Paths/Surface_search.h>
 #include <CGAL/Approximate_geodesics/Paths/internal/surface_graph.h>
 #include <CGAL/Approximate_geodesics/Queries/farthest_point_sampling.h>
@@ -39,11 +40,13 @@
 #include <cstddef>
 #include <cstdint>
 #include <functional>
+#include <iterator>
 #include <limits>
 #include <memory>
 #include <optional>
 #include <type_traits>
 #include <utility>
+#include <variant>
 #include <vector>
 
 namespace CGAL::Approximate_geodesics::internal {
@@ -101,6 +104,10 @@ template <typename Graph>
 using Set_barriers =
     decltype(std::declval<Graph&>().set_barriers(std::declval<std::vector<Barrier_change>>()));
 
+// The labels of a graph that can have some.
+template <typename Graph>
+using Labels_of = std::conditional_t<has_asymmetry<Graph>, Portal_labels<Graph>, std::monostate>;
+
 /*
  * A graph with a pool of search workspaces.
  */
@@ -132,6 +139,15 @@ public:
     auto landmarks = std::make_unique<const Landmarks_of<Graph>>(m_graph, number_of_landmarks);
     m_workspaces.set_up([l = landmarks.get()](Search& search) { search.use_landmarks(*l); });
     m_landmarks = std::move(landmarks);
+  }
+
+  void prepare_intervals([[maybe_unused]] const double epsilon) override
+  {
+    if constexpr(has_asymmetry<Graph>)
+      m_labels.emplace(m_graph,
+                       parameters::epsilon(epsilon).concurrency_tag(Parallel_if_available_tag()));
+    else
+      reject("the distances of the solver are exact; only intervals of others can be prepared");
   }
 
   void find_distances(std::vector<Source_point> sources,
@@ -197,10 +213,18 @@ public:
                                                         const double maximum_distance,
                                                         Solver_visitor& visitor) const override
   {
-    return find_all(pairs, maximum_distance, visitor,
-                    [&](const Search& search, const Intrinsic_point& p) {
-                      return distance_interval(search, p, maximum_distance);
-                    });
+    const auto find = [&](const Search& search, const Intrinsic_point& p) {
+      return distance_interval(search, p, maximum_distance);
+    };
+    if constexpr(has_asymmetry<Graph>)
+      if(m_labels && m_labels->are_valid())
+      {
+        std::vector<Point_pair> others;
+        std::copy_if(pairs.begin(), pairs.end(), std::back_inserter(others),
+                     [](const Point_pair& pair) { return !is_of_vertices(pair); });
+        return read_intervals(pairs, find_all(others, maximum_distance, visitor, find));
+      }
+    return find_all(pairs, maximum_distance, visitor, find);
   }
 
   void compute_rows(Any_rows& rows,
@@ -280,6 +304,34 @@ private:
     return *std::move(found);
   }
 
+  static bool is_of_vertices(const Point_pair& pair)
+  {
+    return pair.first.is_vertex() && pair.second.is_vertex();
+  }
+
+  // From the labels; those of other pairs than of vertices are `found`.
+  std::vector<std::pair<double, double>>
+  read_intervals(const std::vector<Point_pair>& pairs,
+                 const std::vector<std::pair<double, double>>& found) const
+  {
+    std::vector<std::pair<double, double>> result;
+    result.reserve(pairs.size());
+    auto next = found.begin();
+    for(const Point_pair& pair : pairs)
+    {
+      check_for_interruption_at(result.size());
+      if(is_of_vertices(pair))
+      {
+        const auto [lower, upper] =
+            m_labels->distance_interval(pair.first.vertex, pair.second.vertex);
+        result.push_back(interval_on_surface(m_graph, pair.first, pair.second, lower, upper));
+      }
+      else
+        result.push_back(*next++);
+    }
+    return result;
+  }
+
   template <typename Labels>
   void write_predecessors(const Labels& labels, std::int64_t* const predecessors) const
   {
@@ -297,7 +349,10 @@ private:
 
   std::size_t own_memory() const override
   {
-    return m_graph.memory() + (m_landmarks ? m_landmarks->memory() : 0) +
+    std::size_t memory_of_labels = 0;
+    if constexpr(has_asymmetry<Graph>)
+      memory_of_labels = m_labels ? m_labels->memory() : 0;
+    return m_graph.memory() + (m_landmarks ? m_landmarks->memory() : 0) + memory_of_labels +
            m_workspaces.sum([](const Search& s) { return s.memory(); });
   }
 
@@ -312,6 +367,7 @@ private:
   Graph m_graph;
   bool m_has_changed = false;
   std::unique_ptr<const Landmarks_of<Graph>> m_landmarks; // if pairs are prepared
+  std::optional<Labels_of<Graph>> m_labels;               // if intervals are prepared
   mutable Workspaces<Search> m_workspaces;
 };
 

@@ -1,0 +1,77 @@
+// Copyright (c) 2026  The Approximate Geodesics authors.
+// All rights reserved.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_APPROXIMATE_GEODESICS_GRAPHS_INTERNAL_STEINER_NARROW_ARCS_H
+#define CGAL_APPROXIMATE_GEODESICS_GRAPHS_INTERNAL_STEINER_NARROW_ARCS_H
+
+#include <CGAL/license/Approximate_geodesics.h>
+
+#include <CGAL/Approximate_geodesics/Graphs/internal/Steiner/Point_row.h>
+#include <CGAL/Approximate_geodesics/Surface/internal/face_geometry.h>
+
+#include <algorithm>
+#include <cmath>
+
+namespace CGAL::Approximate_geodesics::internal {
+
+/*
+ * The arcs between the points of two sides of a corner that are left out, since they are narrow:
+ * they make a small angle with a side at their end that is farther from the corner. The way along
+ * this side toward the corner, as long as the angle is small, and across from there, is hardly
+ * longer.
+ *
+ * The angle is small if one end is farther from the corner than the other by a ratio. So the
+ * points of a side that a point has arcs to are consecutive. An arc is kept unless those next to
+ * it, which are less narrow, are narrow, too: then all paths that are rounded to it are narrow. The
+ * report proves what this means for the bound. Both ends of an arc compare the same numbers.
+ */
+class Narrow_arcs
+{
+public:
+  // Two sides have all arcs if one has fewer points.
+  static constexpr Index SMALLEST_SIZE = 128;
+
+  // The arcs from points of `side` to those of `row`. `tangent` is that of the largest small angle.
+  Narrow_arcs(const Corner& corner,
+              const double tangent,
+              const Point_row& side,
+              const Point_row& row)
+    : m_side(side), m_row(row)
+  {
+    const double o = corner.opening(), sine = std::sqrt(o * (1 - o / 4));
+    m_ratio = (std::max)(1 - o / 2 + sine / tangent, 1.);
+  }
+
+  // Returns the rank of the first point of the row that a node of the side has an arc to. It is not
+  // below `low`.
+  Index first(const Index rank, const Index low = 0) const
+  {
+    if(rank >= m_side.size) // a vertex, which has all arcs
+      return 0;
+    const double inner = m_side.distance_of_node(rank - 1);
+    return first_rank_without({low, m_row.size}, [&](const Index i) {
+      return inner >= m_ratio * m_row.distance_of_node(i + 1);
+    });
+  }
+
+  // Returns the rank beyond the last one that it has an arc to, likewise.
+  Index beyond(const Index rank, const Index low = 0) const
+  {
+    if(rank >= m_side.size)
+      return m_row.size;
+    const double outer = m_ratio * m_side.distance_of_node(rank + 1);
+    return first_rank_without({low, m_row.size},
+                              [&](const Index i) { return m_row.distance_of_node(i - 1) < outer; });
+  }
+
+private:
+  const Point_row& m_side;
+  const Point_row& m_row;
+  double m_ratio; // from which on the angle is small
+};
+
+} // namespace CGAL::Approximate_geodesics::internal
+
+#endif // CGAL_APPROXIMATE_GEODESICS_GRAPHS_INTERNAL_STEINER_NARROW_ARCS_H

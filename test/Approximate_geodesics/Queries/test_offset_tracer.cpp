@@ -1,0 +1,73 @@
+// Copyright (c) 2026  The Approximate Geodesics authors.
+// All rights reserved.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#include <CGAL/Approximate_geodesics/Queries/internal/Offsets/Offset_tracer.h>
+
+#include "meshes/hostile_meshes.h"
+#include "oracles/distances_to_curves.h"
+#include "threads/Interruption_at.h"
+
+#include <CGAL/Approximate_geodesics/Graphs/Saddle_vertex_graph.h>
+#include <CGAL/Approximate_geodesics/Paths/Surface_search.h>
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <cstddef>
+
+// How offset curves are traced: with how much work, and in which unit.
+
+namespace {
+
+namespace AG = CGAL::Approximate_geodesics;
+using namespace geodesics_test;
+using Search_from_curve = AG::Surface_search<AG::Saddle_vertex_graph>;
+
+// A curve divides faces around it into parts that are far smaller. Those of a needle follow each
+// other: there are as many as on a long side.
+TEST(Offset_tracer, takes_no_more_triangles_the_longer_needles_are)
+{
+  constexpr int most_checks = 60; // each is for 4096 triangles
+  for(const double aspect : {1e4, 1e6, 1e8})
+  {
+    SCOPED_TRACE(aspect);
+    const AG::Saddle_vertex_graph graph(Triangulation(to_mesh(needles(aspect))));
+    const Intrinsic_triangulation& t = graph.triangulation();
+    Polyline_on_surface column;
+    for(std::size_t v = 3; v < 28; v += 7)
+      column.push_back(Intrinsic_point::at_vertex(t.vertex(v)));
+    Search_from_curve search(graph);
+    search.run_from_curves({{{column}}});
+    const double width = 3 / aspect, step = 0.01;
+    AG::internal::Offset_tracer tracer(search, {width / 1e3, width / 2}, step);
+    const Interruption_at limit(most_checks);
+    EXPECT_NO_THROW(tracer.trace());
+  }
+}
+
+std::size_t number_of_points(const Soup& soup, const double unit)
+{
+  const Mesh mesh = to_mesh(scaled(soup, unit));
+  const AG::Saddle_vertex_graph graph{Triangulation(mesh)};
+  Search_from_curve search(graph);
+  search.run({{Intrinsic_point::at_vertex(graph.triangulation().vertex(0))}});
+  AG::internal::Offset_tracer tracer(search, {0.1 * unit, 2.5 * unit}, 1e-4 * unit);
+  std::size_t result = 0;
+  for(const auto& line : tracer.trace())
+    result += line.points.size();
+  return result;
+}
+
+// Squares of lengths are infinite or zero where the length of an edge is one of these.
+TEST(Offset_tracer, divides_faces_alike_in_any_unit)
+{
+  const Soup soup = flat_grid(4, 3);
+  const std::size_t expected = number_of_points(soup, 1);
+  EXPECT_GT(expected, 100u);
+  for(const int exponent : {-1000, 1000})
+    EXPECT_EQ(number_of_points(soup, std::ldexp(1., exponent)), expected) << exponent;
+}
+
+} // namespace
