@@ -193,5 +193,6 @@ static void measure_portals(const Options& options, const Report& report)
 
 int main(int argc, char* argv[])
 {
-  return run_benchmark(argc, argv, "bench_portals", {{"bunny00"}, 200, ""}, measure_portals);
+  return run_benchmark(argc, argv, "bench_portals",
+                       {{"armadillo", "bunny00", "refined_elephant"}, 200, ""}, measure_portals);
 }

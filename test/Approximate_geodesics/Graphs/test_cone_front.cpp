@@ -176,6 +176,8 @@ struct Arc_list
     ADD_FAILURE() << "these graphs have no threads";
   }
 
+  std::size_t thread() const { return 0; }
+
   std::vector<Arc> sorted() const
   {
     std::vector<Arc> result = arcs;

@@ -11,6 +11,7 @@
 #include "meshes/hostile_meshes.h"
 #include "meshes/random_soups.h"
 #include "meshes/test_costs.h"
+#include "meshes/test_meshes.h"
 #include "meshes/test_weights.h"
 
 #include <CGAL/Approximate_geodesics/Paths/Surface_search.h>
@@ -343,29 +344,20 @@ TEST(Landmarks, are_not_used_after_barriers_were_lifted)
   expect_same(1e-12);
 }
 
-// Ground of four kinds, with holes: pairs are at most 1.1 times as far as in a graph that is much
-// finer.
-void expect_bound_of_pairs(const std::size_t side,
-                           const std::size_t number_of_sources,
+// Expects that pairs are at most 1.1 times as far as in a graph that is much finer.
+void expect_bound_of_pairs(const Mesh& mesh,
+                           const Weights& weights,
+                           const std::vector<Intrinsic_point>& sources,
                            const double epsilon_of_fine_graph)
 {
-  Random random(test_seed());
-  const Mesh mesh = to_mesh(terrain(side, side, random));
-  const Weights weights = weights_by_place(mesh, [&](const Point& p) {
-    constexpr std::array<double, 4> kinds = {1, 1.5, 2.5, 4};
-    const auto column = static_cast<std::size_t>(p.x()), row = static_cast<std::size_t>(p.y());
-    return column % 4 == 2 && row % 4 == 2 ? infinity : kinds[(column / 5 + 3 * (row / 5)) % 4];
-  });
   const auto graph = steiner_graph(mesh, weights, Geometric_points(0.1));
   const auto fine = steiner_graph(mesh, weights, Geometric_points(epsilon_of_fine_graph));
   const AG::Landmarks<Steiner_graph<>> landmarks(graph);
   AG::Surface_search<Steiner_graph<>> led(graph), all(fine);
   led.use_landmarks(landmarks);
   double largest = 0;
-  for(std::size_t i = 0; i < number_of_sources; ++i)
+  for(const Intrinsic_point& source : sources)
   {
-    const auto source =
-        Intrinsic_point::at_vertex(static_cast<std::uint32_t>(random.below(mesh.num_vertices())));
     all.run({{source}});
     for(std::uint32_t v = 0; v < mesh.num_vertices(); ++v)
     {
@@ -379,12 +371,45 @@ void expect_bound_of_pairs(const std::size_t side,
     }
   }
   std::cout << "at most " << 100 * largest << " % longer, of "
-            << number_of_sources * mesh.num_vertices() << " pairs" << std::endl;
+            << sources.size() * mesh.num_vertices() << " pairs" << std::endl;
 }
 
-TEST(Pairs_with_landmarks, keep_the_bound) { expect_bound_of_pairs(12, 8, 0.02); }
+// Ground of four kinds, with holes.
+void expect_bound_on_terrain(const std::size_t side, const std::size_t number_of_sources)
+{
+  Random random(test_seed());
+  const Mesh mesh = to_mesh(terrain(side, side, random));
+  const Weights weights = weights_by_place(mesh, [&](const Point& p) {
+    constexpr std::array<double, 4> kinds = {1, 1.5, 2.5, 4};
+    const auto column = static_cast<std::size_t>(p.x()), row = static_cast<std::size_t>(p.y());
+    return column % 4 == 2 && row % 4 == 2 ? infinity : kinds[(column / 5 + 3 * (row / 5)) % 4];
+  });
+  std::vector<Intrinsic_point> sources;
+  for(std::size_t i = 0; i < number_of_sources; ++i)
+    sources.push_back(
+        Intrinsic_point::at_vertex(static_cast<std::uint32_t>(random.below(mesh.num_vertices()))));
+  expect_bound_of_pairs(mesh, weights, sources, 0.02);
+}
 
-TEST(Pairs_with_landmarks, keep_the_bound_very_often) { expect_bound_of_pairs(21, 250, 0.02); }
+TEST(Pairs_with_landmarks, keep_the_bound) { expect_bound_on_terrain(12, 8); }
+
+TEST(Pairs_with_landmarks, keep_the_bound_very_often) { expect_bound_on_terrain(21, 250); }
+
+// Thousands of points on their sides, and many arcs that are left out.
+TEST(Pairs_with_landmarks, keep_the_bound_beside_thin_faces)
+{
+  Random random(test_seed());
+  for(const double angle : {0.05, 0.005})
+    for(const double range : {1.2, 30.})
+      for(const Soup& soup : thin_soups(angle))
+      {
+        const Mesh mesh = to_mesh(soup);
+        std::vector<Intrinsic_point> sources;
+        for(std::uint32_t v = 0; v < mesh.num_vertices(); ++v)
+          sources.push_back(Intrinsic_point::at_vertex(v));
+        expect_bound_of_pairs(mesh, random_weights(mesh, random, 1, range), sources, 0.03);
+      }
+}
 
 TEST(Landmarks, are_in_the_largest_part)
 {

@@ -122,7 +122,7 @@ TEST_F(Solver_pairs, have_intervals)
 TEST_F(Solver_pairs, have_intervals_that_are_prepared)
 {
   constexpr double epsilon_of_labels = 0.1;
-  for(const auto epsilon : {std::optional<double>(), std::optional(0.2)})
+  for(const auto epsilon : {std::optional<double>(), std::optional(0.9)})
     for(const bool has_weights : {false, true})
     {
       const std::vector<double> weights(m_arrays.number_of_faces(), 2);

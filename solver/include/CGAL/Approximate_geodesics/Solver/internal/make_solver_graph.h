@@ -314,21 +314,23 @@ private:
   read_intervals(const std::vector<Point_pair>& pairs,
                  const std::vector<std::pair<double, double>>& found) const
   {
-    std::vector<std::pair<double, double>> result;
-    result.reserve(pairs.size());
-    auto next = found.begin();
-    for(const Point_pair& pair : pairs)
-    {
-      check_for_interruption_at(result.size());
-      if(is_of_vertices(pair))
+    std::vector<std::pair<double, double>> result(pairs.size());
+    const auto read = [&](const std::size_t first, const std::size_t beyond) {
+      for(std::size_t i = first; i < beyond; ++i)
       {
-        const auto [lower, upper] =
-            m_labels->distance_interval(pair.first.vertex, pair.second.vertex);
-        result.push_back(interval_on_surface(m_graph, pair.first, pair.second, lower, upper));
+        check_for_interruption_at(i);
+        const auto& [source, target] = pairs[i];
+        if(!is_of_vertices(pairs[i]))
+          continue;
+        const auto [lower, upper] = m_labels->distance_interval(source.vertex, target.vertex);
+        result[i] = interval_on_surface(m_graph, source, target, lower, upper);
       }
-      else
-        result.push_back(*next++);
-    }
+    };
+    Loop::with_tag<Parallel_if_available_tag>().run_blocks(pairs.size(), read);
+    auto next = found.begin();
+    for(std::size_t i = 0; i < pairs.size(); ++i)
+      if(!is_of_vertices(pairs[i]))
+        result[i] = *next++;
     return result;
   }
 
