@@ -27,6 +27,19 @@ struct Deferred_sight
 {
   using Index = Intrinsic_triangulation::Index;
 
+  Deferred_sight(const Sight& deferred,
+                 const Crossing& last_milestone,
+                 const Index tip_of_sight,
+                 const double label,
+                 const double smallest)
+    : sight(deferred),
+      milestone(last_milestone),
+      tip(tip_of_sight),
+      label_of_tip(label),
+      smallest_label(smallest)
+  {
+  }
+
   Sight sight;
   Crossing milestone; // the last one on the way
   Index tip;
@@ -51,6 +64,24 @@ class Deferred_sights
 {
 public:
   using List = std::vector<Deferred_sight>;
+
+  // Where a task defers sights: to a list of its own, or, if it is the only one, to where they
+  // wait.
+  class Sink
+  {
+  public:
+    explicit Sink(Deferred_sights& all) : m_all(&all) {}
+    explicit Sink(List& list) : m_list(&list) {}
+
+    List& list(const double smallest_label) const
+    {
+      return m_list != nullptr ? *m_list : m_all->list_of(smallest_label);
+    }
+
+  private:
+    Deferred_sights* m_all = nullptr;
+    List* m_list = nullptr;
+  };
 
   // Whether paths bend so often that most sights are useless.
   static bool is_rough(const Bends& bends)
@@ -121,40 +152,37 @@ public:
 
   // Calls `f(sight)` for those of a chunk, unless the label of the tip has been lowered: the sight
   // is also followed with the smaller label.
-  template <typename Labels, typename F>
-  void for_each_in_chunk(const std::size_t chunk, const Labels& labels, F f) const
+  template <typename Labels, typename Prefetch, typename F>
+  void for_each_in_chunk(const std::size_t chunk,
+                         const Labels& labels,
+                         const Prefetch& prefetch,
+                         F f) const
   {
+    constexpr std::size_t ahead = 8;
     const std::size_t beyond = (std::min)(m_resumed.size(), (chunk + 1) * sights_in_chunk);
     for(std::size_t i = chunk * sights_in_chunk; i < beyond; ++i)
+    {
+      if(i + ahead < m_resumed.size())
+        prefetch(m_resumed[i + ahead]);
       if(!(labels.distance(m_resumed[i].tip) < m_resumed[i].label_of_tip))
         f(m_resumed[i]);
+    }
   }
 
-  // Calls `append(i, part, deferred)` for all `i` below `number`, in parallel if there are enough:
-  // it appends arcs to a part of the candidates, and the sights that it defers to a list. If any
-  // sights wait, requests a call when the search reaches them. Results depend on the order of
-  // sights, and so this does not depend on threads.
+  // Calls `append(i, part, sink)` for all `i` below `number`, in parallel if there are enough: it
+  // appends arcs to a part of the candidates, and defers sights to the sink. If any sights wait,
+  // requests a call when the search reaches them. Results depend on the order of sights, and so
+  // this does not depend on threads.
   template <typename Candidates, typename F>
   void
   append_all(const Loop& loop, const std::size_t number, Candidates& candidates, const F& append)
   {
     constexpr std::size_t fewest_tasks = 16;
-    const bool is_parallel = loop.is_parallel() && number >= fewest_tasks;
-    const std::size_t number_of_tasks = is_parallel ? number : 1;
-    m_of_tasks.resize((std::max)(m_of_tasks.size(), number_of_tasks));
-    if(is_parallel)
-      candidates.append_in_parallel(loop, number, [&](const std::size_t i, Candidates& part) {
-        append(i, part, m_of_tasks[i]);
-      });
+    if(loop.is_parallel() && number >= fewest_tasks)
+      append_in_parallel(loop, number, candidates, append);
     else
       for(std::size_t i = 0; i < number; ++i)
-        append(i, candidates, m_of_tasks.front());
-    for(std::size_t i = 0; i < number_of_tasks; ++i)
-    {
-      for(const Deferred_sight& sight : m_of_tasks[i])
-        list_of(sight).push_back(sight);
-      m_of_tasks[i].clear();
-    }
+        append(i, candidates, Sink(*this));
     if(is_any_waiting())
     {
       const auto [label, tip] = next_label_and_tip();
@@ -193,9 +221,27 @@ private:
     return {m_next_step + number_of_steps * m_step, m_beyond.front().tip};
   }
 
-  List& list_of(const Deferred_sight& sight)
+  template <typename Candidates, typename F>
+  void append_in_parallel(const Loop& loop,
+                          const std::size_t number,
+                          Candidates& candidates,
+                          const F& append)
   {
-    const double step = (sight.smallest_label - m_next_step) / m_step;
+    m_of_tasks.resize((std::max)(m_of_tasks.size(), number));
+    candidates.append_in_parallel(loop, number, [&](const std::size_t i, Candidates& part) {
+      append(i, part, Sink(m_of_tasks[i]));
+    });
+    for(std::size_t i = 0; i < number; ++i)
+    {
+      for(const Deferred_sight& sight : m_of_tasks[i])
+        list_of(sight.smallest_label).push_back(sight);
+      m_of_tasks[i].clear();
+    }
+  }
+
+  List& list_of(const double smallest_label)
+  {
+    const double step = (smallest_label - m_next_step) / m_step;
     return step < number_of_steps
                ? m_steps[(m_first + static_cast<std::size_t>(step)) % number_of_steps]
                : m_beyond;

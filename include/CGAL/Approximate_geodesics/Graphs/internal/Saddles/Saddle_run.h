@@ -59,7 +59,8 @@ public:
       append(v, path.length, sight.arrival(path, apex, left_edge));
     }
 
-    // Can be interrupted, as a source may have many arcs.
+    // Can be interrupted, as a source may have many arcs. Lowers the bound at once, for the sights
+    // that follow, unless other threads read it.
     void append(const Node target, const double length, const Arrival& arrival)
     {
       constexpr unsigned arcs_between_checks = 256;
@@ -67,6 +68,9 @@ public:
         check_for_interruption();
       candidates.make_room(1);
       candidates.append(true, tip, label_of_tip, target, length, arrival);
+      if(const double label = label_of_tip + length;
+         !run.graph().is_parallel() && label < bound(target))
+        run.m_bounds.lower(target, label);
     }
 
     double bound(const Node v) const { return run.bound(v); }
@@ -82,17 +86,18 @@ public:
       const double smallest_label = label_of_tip + sight.smallest_distance();
       if(!(smallest_label > horizon))
         return false;
-      deferred.push_back({sight, milestone, tip, label_of_tip, smallest_label});
+      deferred.list(smallest_label)
+          .emplace_back(sight, milestone, tip, label_of_tip, smallest_label);
       return true;
     }
 
-    const Saddle_run& run;
+    Saddle_run& run;
     const Labels& labels;
     double horizon;
     Node tip;
     double label_of_tip;
     Candidates& candidates;
-    Deferred_sights::List& deferred;
+    const Deferred_sights::Sink& deferred;
     unsigned number_of_arcs = 0;
   };
 
@@ -147,7 +152,7 @@ public:
     const std::size_t number_of_chunks = m_sights.number_of_chunks();
     m_sights.append_all(
         graph().m_loop, number_of_chunks + number, candidates,
-        [&](const std::size_t i, Candidates& part, Deferred_sights::List& deferred) {
+        [&](const std::size_t i, Candidates& part, const Deferred_sights::Sink& deferred) {
           if(i < number_of_chunks)
             append_resumed(i, labels, part, deferred);
           else
@@ -322,14 +327,19 @@ private:
   void append_resumed(const std::size_t chunk,
                       const Labels& labels,
                       Candidates& candidates,
-                      Deferred_sights::List& deferred) const
+                      const Deferred_sights::Sink& deferred)
   {
     check_for_interruption();
     const Intrinsic_triangulation& t = graph().triangulation();
     Arc_visitor<Labels, Candidates> visitor{{},         *this,    labels,     m_sights.horizon(),
                                             null_index, infinity, candidates, deferred};
     Sight_expansion sights_ahead(graph().m_tables, infinity, visitor);
-    m_sights.for_each_in_chunk(chunk, labels, [&](const Deferred_sight& s) {
+    const auto prefetch_for = [&](const Deferred_sight& s) {
+      prefetch(labels.distances(), s.tip);
+      graph().m_tables.steps.prefetch(s.sight.halfedge);
+      t.prefetch(s.sight.halfedge);
+    };
+    m_sights.for_each_in_chunk(chunk, labels, prefetch_for, [&](const Deferred_sight& s) {
       const Node h = s.sight.halfedge;
       visitor.tip = s.tip;
       visitor.label_of_tip = s.label_of_tip;
@@ -341,7 +351,7 @@ private:
   void append_arcs(const Node node,
                    const Labels& labels,
                    Candidates& candidates,
-                   Deferred_sights::List& deferred) const
+                   const Deferred_sights::Sink& deferred)
   {
     const Intrinsic_triangulation& t = graph().triangulation();
     const double label_of_node = labels.distance(node);

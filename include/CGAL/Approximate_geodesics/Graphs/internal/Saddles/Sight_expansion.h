@@ -274,10 +274,11 @@ private:
     return 0;
   }
 
-  // Like `report()`, it takes a copy.
+  // Returns whether the sight is not followed now. Like `report()`, it takes a copy.
   BOOST_NOINLINE bool defer(const Sight sight) const
   {
-    return m_visitor.defer(sight, m_milestones[number_of_milestones(sight.depth) - 1]);
+    return sight.is_beaten(m_label_of_tip) ||
+           m_visitor.defer(sight, m_milestones[number_of_milestones(sight.depth) - 1]);
   }
 
   BOOST_FORCEINLINE bool goes_on(const Sight& sight) const
@@ -314,7 +315,7 @@ private:
 
   BOOST_FORCEINLINE bool split(Sight& sight, const Apex& apex, const int useful_side)
   {
-    const Sight_ray between(apex.position, apex.distance);
+    const Sight_ray between(apex.position, apex.distance, apex.bound);
     if(useful_side > 0)
     {
       sight.left_ray = between;
