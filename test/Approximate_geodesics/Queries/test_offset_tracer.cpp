@@ -70,4 +70,34 @@ TEST(Offset_tracer, divides_faces_alike_in_any_unit)
     EXPECT_EQ(number_of_points(soup, std::ldexp(1., exponent)), expected) << exponent;
 }
 
+Intrinsic_triangulation::Index halfedge_between(const Intrinsic_triangulation& t,
+                                                const Intrinsic_triangulation::Index v,
+                                                const Intrinsic_triangulation::Index w)
+{
+  Intrinsic_triangulation::Index h = t.first_halfedge(v);
+  while(t.target(h) != w)
+    ++h;
+  return h;
+}
+
+// A needle and a large face share an edge that is 10^7 times as long as the distance. Parts of it
+// end alike on both sides.
+TEST(Offset_tracer, joins_faces_along_edges_that_are_divided_often)
+{
+  const double length = 1e7;
+  for(const double width : {0.3, 20.})
+    for(const double distance : {2., 5., 15.})
+    {
+      SCOPED_TRACE(::testing::Message() << width << " " << distance);
+      const Soup soup{{{0, 0, 0}, {length, 0, 0}, {length / 2, length, 0}, {0, -width, 0}},
+                      {{0, 1, 2}, {0, 3, 1}}};
+      const AG::Saddle_vertex_graph graph{Triangulation(to_mesh(soup))};
+      const Intrinsic_triangulation& t = graph.triangulation();
+      Search_from_curve search(graph);
+      search.run({{Intrinsic_point::on_edge(halfedge_between(t, t.vertex(0), t.vertex(1)), 0.3)}});
+      AG::internal::Offset_tracer tracer(search, {distance}, 1.5);
+      EXPECT_EQ(tracer.trace().size(), 1u);
+    }
+}
+
 } // namespace

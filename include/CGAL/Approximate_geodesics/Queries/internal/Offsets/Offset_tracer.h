@@ -44,6 +44,7 @@ public:
     : m_search(search),
       m_triangulation(search.graph().triangulation()),
       m_step(step / m_triangulation.unit()),
+      m_smallest((std::max)(m_step / 4, longest_edge(m_triangulation) * SMALLEST_PART)),
       m_on_edges(search, LARGEST_ERROR * m_step),
       m_distances(std::move(distances)),
       m_middles(m_triangulation),
@@ -102,8 +103,20 @@ private:
   // those of middles of chords.
   static constexpr double LARGEST_ERROR = 8e-3, LARGEST_DIFFERENCE = 2e-3, LARGEST_HEIGHT = 5e-3;
 
-  // How often a side is divided at most.
-  static constexpr int DEEPEST = 24;
+  // Of the longest edge: shorter sides are not divided. A limit of length depends on nothing but
+  // the side, which a depth does not where faces of different shapes meet.
+  static constexpr double SMALLEST_PART = 0x1p-24;
+
+  // How often a triangle is divided at most, as a safeguard: sides are too short before.
+  static constexpr int DEEPEST = 64;
+
+  static double longest_edge(const Intrinsic_triangulation& t)
+  {
+    double result = 0;
+    for(Index h = 0; h < t.number_of_halfedges(); ++h)
+      result = (std::max)(result, t.length(h));
+    return result;
+  }
 
   const Distances_in_face& in_face()
   {
@@ -285,8 +298,7 @@ private:
   bool is_long(const Corner& a, const Corner& b, const double length) const
   {
     const double nearest = (std::min)(m_values[a.number], m_values[b.number]);
-    const double smallest = m_step / 4;
-    return length > smallest && (nearest < length || length * length > 0.08 * m_step * nearest);
+    return length > m_smallest && (nearest < length || length * length > 0.08 * m_step * nearest);
   }
 
   Corner between(const Corner& a, const Corner& b, const double t, const std::uint32_t number) const
@@ -487,7 +499,7 @@ private:
 
   const Search& m_search;
   const Intrinsic_triangulation& m_triangulation;
-  const double m_step;
+  const double m_step, m_smallest;
   Distances_on_edges<Search> m_on_edges;
   std::vector<double> m_distances;
   Index m_face = null_index; // a halfedge of the present one
