@@ -406,8 +406,9 @@ class Solver:
         """Prepare for very many intervals, until weights or barriers change.
 
         Labels are kept of all vertices. Then `pair_distances` with ``return_intervals`` reads the
-        intervals of pairs of vertices from them in microseconds, without a search. Not for exact
-        distances, barriers or directional costs. No other thread may use the solver meanwhile.
+        intervals of pairs of vertices from them in microseconds, without a search; `max_distance`
+        limits them only if the lower end is beyond it. Not for exact distances, barriers or
+        directional costs. No other thread may use the solver meanwhile.
 
         Parameters
         ----------

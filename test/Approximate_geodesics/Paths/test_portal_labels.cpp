@@ -12,21 +12,22 @@
 #include "meshes/random_soups.h"
 #include "meshes/test_costs.h"
 #include "meshes/test_weights.h"
+#include "paths/dijkstra.h"
+#include "threads/Interruption_at.h"
 #include "threads/numbers_of_threads.h"
 
+#include <CGAL/Approximate_geodesics/Base/internal/binary_io.h>
+#include <CGAL/Approximate_geodesics/Paths/Landmarks.h>
 #include <CGAL/Approximate_geodesics/Paths/Surface_search.h>
 
 #include <gtest/gtest.h>
 
 #include <algorithm>
-#include <atomic>
 #include <cmath>
 #include <cstddef>
 #include <cstdint>
-#include <functional>
 #include <ios>
 #include <map>
-#include <queue>
 #include <sstream>
 #include <stdexcept>
 #include <string>
@@ -45,27 +46,13 @@ using AG::internal::Part_nodes;
 using AG::internal::Two_way_arcs;
 using AG::internal::Two_way_search;
 
-// By a queue of the standard library, in the unit of the mesh.
+// In the unit of the mesh.
 std::vector<double> two_way_distances(const Two_way_arcs& arcs, const std::uint32_t source)
 {
-  using Entry = std::pair<double, std::uint32_t>;
-  std::vector<double> result(arcs.number_of_nodes(), infinity);
-  std::priority_queue<Entry, std::vector<Entry>, std::greater<Entry>> queue;
-  result[source] = 0;
-  queue.emplace(0, source);
-  while(!queue.empty())
-  {
-    const auto [distance, node] = queue.top();
-    queue.pop();
-    if(distance == result[node])
-      arcs.for_each_arc(node, 0, [&, from = distance](const auto target, const double length) {
-        if(from + length < result[target])
-        {
-          result[target] = from + length;
-          queue.emplace(result[target], target);
-        }
+  std::vector<double> result = textbook_distances<double>(
+      arcs.number_of_nodes(), source, [&](const std::size_t node, const auto& f) {
+        arcs.for_each_arc(static_cast<std::uint32_t>(node), 0, f);
       });
-  }
   for(double& distance : result)
     distance *= arcs.unit();
   return result;
@@ -419,6 +406,23 @@ TEST_F(Portal_file, is_refused_if_anything_is_missing_or_changed)
   }
 }
 
+// The checksum is right; only distances of different places are in the table.
+TEST_F(Portal_file, is_refused_if_two_vertices_are_at_one_place)
+{
+  const AG::Edge_graph graph{Triangulation(to_mesh(flat_grid(2, 2)))}; // is one last part
+  const std::string file = saved(Portal_labels<AG::Edge_graph>(graph));
+  constexpr std::size_t size_of_vertex = 8, size_of_checksum = 4;
+  const std::size_t last = file.size() - size_of_checksum - size_of_vertex;
+  std::string damaged = file.substr(0, last) + file.substr(last - size_of_vertex, size_of_vertex);
+  AG::internal::Checksum checksum;
+  for(const char byte : damaged)
+    checksum.add(static_cast<std::uint8_t>(byte));
+  for(const auto byte : AG::internal::to_bytes(checksum.value()))
+    damaged.push_back(static_cast<char>(byte));
+  ASSERT_EQ(damaged.size(), file.size());
+  expect_message<std::invalid_argument>([&] { loaded(damaged, graph); }, "the same place");
+}
+
 TEST_F(Portal_file, is_refused_if_it_is_something_else)
 {
   expect_refused("OFF\n8 12 0\n0 0 0\n", "not that of labels");
@@ -435,41 +439,14 @@ TEST_F(Portal_file, is_refused_if_it_is_something_else)
   expect_message<std::runtime_error>([&] { m_labels.save(out); }, "could not be written");
 }
 
-// Throws at one of the checks.
-class Interruption_of_labels final : public AG::internal::Interruption
-{
-public:
-  struct Interrupted
-  {
-  };
-
-  explicit Interruption_of_labels(const int number) : m_number_left(number)
-  {
-    of_this_thread() = this;
-  }
-  ~Interruption_of_labels() { of_this_thread() = nullptr; }
-  Interruption_of_labels(const Interruption_of_labels&) = delete;
-  Interruption_of_labels& operator=(const Interruption_of_labels&) = delete;
-
-  void check() override
-  {
-    if(--m_number_left < 0)
-      throw Interrupted();
-  }
-  void set_progress(std::size_t /* number_done */, std::size_t /* number */) override {}
-
-private:
-  std::atomic<int> m_number_left;
-};
-
 TEST(Portal_labels, can_be_interrupted)
 {
   const AG::Edge_graph graph{Triangulation(to_mesh(flat_grid(30, 20)))};
   for_each_number_of_threads([&](const auto& tag) {
     for(const int number : {0, 1, 5, 40, 300})
     {
-      const Interruption_of_labels interruption(number);
-      EXPECT_THROW(Portal_labels<AG::Edge_graph>(graph, tag), Interruption_of_labels::Interrupted);
+      const Interruption_at interruption(number);
+      EXPECT_THROW(Portal_labels<AG::Edge_graph>(graph, tag), std::runtime_error);
     }
   });
 }

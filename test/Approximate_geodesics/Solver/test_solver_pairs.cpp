@@ -159,6 +159,40 @@ TEST_F(Solver_pairs, have_intervals_that_are_prepared)
       [&] { Solver_of(m_arrays, bound(0.2)).prepare_intervals(0); }, "epsilon is");
 }
 
+TEST_F(Solver_pairs, keep_intervals_that_are_prepared_if_others_fail)
+{
+  Solver_of solver(m_arrays, bound(0.2));
+  solver.prepare_intervals(0.1);
+  const std::size_t memory = solver.memory();
+  EXPECT_THROW(solver.prepare_intervals(-1), std::invalid_argument);
+  EXPECT_EQ(solver.memory(), memory);
+}
+
+// Those beyond the range are the same as of searches.
+TEST_F(Solver_pairs, have_intervals_that_are_prepared_in_a_range)
+{
+  const Solver_of unprepared(m_arrays, bound(0.2));
+  Solver_of solver(m_arrays, bound(0.2));
+  solver.prepare_intervals(0.01);
+  const double distance = distances(unprepared).front();
+  std::vector<double> searched(2 * m_sources.size()), read = searched, unlimited = searched;
+  solver.find_pair_intervals(m_sources, m_targets, unlimited.data());
+  for(const double range : {0., distance / 2, 2 * distance})
+  {
+    AG::Solver_pair_options options;
+    options.maximum_distance = range;
+    unprepared.find_pair_intervals(m_sources, m_targets, searched.data(), options);
+    solver.find_pair_intervals(m_sources, m_targets, read.data(), options);
+    for(const std::size_t end : {0u, 1u})
+    {
+      EXPECT_EQ(read[end], range > distance ? unlimited[end] : searched[end]);
+      for(const std::size_t pair : {1u, 2u, 3u}) // to another component, and not of vertices
+        EXPECT_EQ(read[2 * pair + end], searched[2 * pair + end]);
+    }
+    EXPECT_EQ(read[9], 0);
+  }
+}
+
 TEST_F(Solver_pairs, have_paths)
 {
   const Solver_of solver(m_arrays, bound(0.2));

@@ -22,15 +22,6 @@
 
 namespace CGAL::Approximate_geodesics {
 
-namespace internal {
-
-// Whether a graph can have landmarks.
-template <typename Graph>
-constexpr bool
-    has_asymmetry = is_valid<const Graph&, double>([](auto& g) -> decltype(g.asymmetry()) {});
-
-} // namespace internal
-
 /*!
  * \ingroup PkgApproximateGeodesicsPaths
  *

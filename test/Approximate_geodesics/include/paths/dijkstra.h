@@ -24,8 +24,8 @@ std::vector<Number> textbook_distances(const std::size_t number_of_nodes,
                                        const ForEachArc& for_each_arc)
 {
   std::vector<Number> result(number_of_nodes, std::numeric_limits<Number>::infinity());
-  using Entry = std::pair<Number, std::size_t>;
-  std::priority_queue<Entry, std::vector<Entry>, std::greater<>> queue;
+  using Node_at = std::pair<Number, std::size_t>; // a distance
+  std::priority_queue<Node_at, std::vector<Node_at>, std::greater<>> queue;
   result[source] = 0;
   queue.push({0, source});
   while(!queue.empty())

@@ -48,6 +48,12 @@ template <typename SurfaceGraph>
 constexpr bool
     is_directed = is_valid<const SurfaceGraph&>([](auto& g) -> decltype(g.leads_to_sources()) {});
 
+// Whether a graph tells how much distances there and back differ, as those must that have landmarks
+// or labels at portals.
+template <typename SurfaceGraph>
+constexpr bool has_asymmetry =
+    is_valid<const SurfaceGraph&, double>([](auto& g) -> decltype(g.asymmetry()) {});
+
 // Whether distances are those to the sources of a search.
 template <typename SurfaceGraph>
 bool leads_to_sources([[maybe_unused]] const SurfaceGraph& graph)

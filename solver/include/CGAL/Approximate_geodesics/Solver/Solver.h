@@ -341,9 +341,9 @@ public:
 
   /*!
    * prepares for very many intervals, until weights or barriers change: makes `Portal_labels`, from
-   * which `find_pair_intervals()` reads those of pairs of vertices, without a search, at any
-   * distance. The quotient of their ends is larger by a factor of up to `1 + epsilon`. No other
-   * thread may use the solver meanwhile.
+   * which `find_pair_intervals()` reads those of pairs of vertices, without a search. The quotient
+   * of their ends is larger by a factor of up to `1 + epsilon`. If this fails, intervals that were
+   * prepared before stay. No other thread may use the solver meanwhile.
    *
    * \throws std::invalid_argument as the constructor of `Portal_labels` does, and if distances are
    *         exact.
@@ -449,7 +449,9 @@ public:
                            const Solver_watch& watch = Solver_watch()) const;
 
   /// finds intervals that contain the distances on the surface: writes the lower and the upper end
-  /// for each pair. The lower end is `0` if there is no error bound. See also
+  /// for each pair. The lower end is `0` if there is no error bound. If the target is beyond the
+  /// range of the searches, they are the range, divided by `1 + error_bound()`, and infinity; an
+  /// interval that is read without a search stays as it is unless it proves that. See also
   /// `prepare_intervals()`.
   void find_pair_intervals(const std::vector<Solver_point>& sources,
                            const std::vector<Solver_point>& targets,

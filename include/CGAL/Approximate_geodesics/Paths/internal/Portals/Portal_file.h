@@ -75,6 +75,7 @@ public:
     result.m_first_level.push_back(0);
     for(std::size_t v = 0; v < number_of_vertices; ++v)
       read_vertex(reader, result);
+    check_places(result);
     result.m_first_label.push_back(result.m_distance.size());
     reader.finish();
     return result;
@@ -186,6 +187,22 @@ private:
     for(std::size_t level = sizes.size(); level-- > 0;)
       read_labels(reader, sizes[level], tables);
     tables.m_first_level.push_back(tables.m_first_label.size());
+  }
+
+  // Distances of two vertices at the same place of a last part are not in its table.
+  static void check_places(const Portal_tables& tables)
+  {
+    std::vector<std::vector<bool>> is_taken(tables.m_parts.size());
+    for(std::size_t v = 0; v < tables.number_of_vertices(); ++v)
+    {
+      const auto& part = tables.m_parts[tables.m_part[v]];
+      if(!part.is_last)
+        continue;
+      std::vector<bool>& places = is_taken[tables.m_part[v]];
+      places.resize(part.size);
+      check(!places[tables.m_place[v]], "two vertices are at the same place of their part");
+      places[tables.m_place[v]] = true;
+    }
   }
 
   static void read_labels(Binary_reader& reader, const std::size_t size, Portal_tables& tables)

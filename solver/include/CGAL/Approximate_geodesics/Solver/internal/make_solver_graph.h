@@ -10,6 +10,7 @@
 
 #include <CGAL/Approximate_geodesics/Base/Geodesic_run_base.h>
 #include <CGAL/Approximate_geodesics/Base/internal/Loop.h>
+#include <CGAL/Approximate_geodesics/Base/internal/arrays.h>
 #include <CGAL/Approximate_geodesics/Base/internal/binary_io.h>
 #include <CGAL/Approximate_geodesics/Base/internal/messages.h>
 #include <CGAL/Approximate_geodesics/Base/internal/named_parameters.h>
@@ -41,7 +42,6 @@
 #include <cstdint>
 #include <functional>
 #include <iterator>
-#include <limits>
 #include <memory>
 #include <optional>
 #include <type_traits>
@@ -90,7 +90,7 @@ public:
 
   double epsilon(const Intrinsic_triangulation& triangulation) const
   {
-    return m_points ? m_points->epsilon(triangulation) : std::numeric_limits<double>::infinity();
+    return m_points ? m_points->epsilon(triangulation) : infinity;
   }
 
   std::size_t memory() const { return m_points ? m_points->memory() : 0; }
@@ -144,8 +144,8 @@ public:
   void prepare_intervals([[maybe_unused]] const double epsilon) override
   {
     if constexpr(has_asymmetry<Graph>)
-      m_labels.emplace(m_graph,
-                       parameters::epsilon(epsilon).concurrency_tag(Parallel_if_available_tag()));
+      m_labels = Labels_of<Graph>(
+          m_graph, parameters::epsilon(epsilon).concurrency_tag(Parallel_if_available_tag()));
     else
       reject("the distances of the solver are exact; only intervals of others can be prepared");
   }
@@ -222,7 +222,8 @@ public:
         std::vector<Point_pair> others;
         std::copy_if(pairs.begin(), pairs.end(), std::back_inserter(others),
                      [](const Point_pair& pair) { return !is_of_vertices(pair); });
-        return read_intervals(pairs, find_all(others, maximum_distance, visitor, find));
+        return read_intervals(pairs, maximum_distance,
+                              find_all(others, maximum_distance, visitor, find));
       }
     return find_all(pairs, maximum_distance, visitor, find);
   }
@@ -309,9 +310,11 @@ private:
     return pair.first.is_vertex() && pair.second.is_vertex();
   }
 
-  // From the labels; those of other pairs than of vertices are `found`.
+  // From the labels; those of other pairs than of vertices are `found`. What is beyond the maximum
+  // distance for certain gets the interval of a search that ends there.
   std::vector<std::pair<double, double>>
   read_intervals(const std::vector<Point_pair>& pairs,
+                 const double maximum_distance,
                  const std::vector<std::pair<double, double>>& found) const
   {
     std::vector<std::pair<double, double>> result(pairs.size());
@@ -323,7 +326,9 @@ private:
         if(!is_of_vertices(pairs[i]))
           continue;
         const auto [lower, upper] = m_labels->distance_interval(source.vertex, target.vertex);
-        result[i] = interval_on_surface(m_graph, source, target, lower, upper);
+        result[i] =
+            interval_on_surface(m_graph, source, target, (std::min)(lower, maximum_distance),
+                                lower > maximum_distance ? infinity : upper);
       }
     };
     Loop::with_tag<Parallel_if_available_tag>().run_blocks(pairs.size(), read);
