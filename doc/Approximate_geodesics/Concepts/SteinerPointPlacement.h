@@ -57,10 +57,11 @@ public:
   /// returns the number of bytes that the placement takes, apart from its own size.
   std::size_t memory() const;
 
-  /// returns the tangent of an angle. `CGAL::Approximate_geodesics::Steiner_graph` leaves out arcs
-  /// across a face, between sides with at least 128 points each, that make a smaller angle with a
-  /// side: the way along the side, and across from there, is at most \f$1/\cos(\beta/2)\f$ times
-  /// as long for the angle \f$\beta\f$. Optional: without it, or if it is `0`, there are all arcs.
+  /// returns the tangent of an angle \f$\beta\f$. `CGAL::Approximate_geodesics::Steiner_graph` may
+  /// leave out arcs across a face, between sides with at least 128 points each, that make a smaller
+  /// angle with a side: the way along the side, and across from there, is at most
+  /// \f$1/\cos(\beta/2)\f$ times as long. `epsilon()` has to allow for that. Optional: without it,
+  /// or if it is not positive, there are all arcs.
   double tangent_of_narrow_arcs() const;
 
   /// returns whether fewer points and a weaker bound are accepted. Optional: if it returns `false`,

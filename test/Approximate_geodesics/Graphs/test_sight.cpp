@@ -13,8 +13,11 @@
 
 namespace {
 
-using namespace geodesics_test;
-using namespace CGAL::Approximate_geodesics::internal;
+using CGAL::Approximate_geodesics::internal::Plane_vector;
+using CGAL::Approximate_geodesics::internal::Sight;
+using CGAL::Approximate_geodesics::internal::Sight_ray;
+using geodesics_test::Random;
+using geodesics_test::test_seed;
 
 Plane_vector at_angle(const double angle, const double distance)
 {

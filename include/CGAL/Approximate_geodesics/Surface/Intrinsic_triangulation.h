@@ -156,8 +156,8 @@ public:
    *   \cgalParamNEnd
    *   \cgalParamNBegin{concurrency_tag}
    *     \cgalParamDescription{whether several threads compute lengths and the shapes of thin faces
-   *                           at the same time; only one reads `tmesh` and property maps. The
-   *                           result is the same.}
+   *                           at the same time; only one at a time reads `tmesh` and property
+   *                           maps, not always that of the caller. The result is the same.}
    *     \cgalParamType{`CGAL::Sequential_tag`, `CGAL::Parallel_tag`, or
    *                    `CGAL::Parallel_if_available_tag`}
    *     \cgalParamDefault{`CGAL::Sequential_tag`}

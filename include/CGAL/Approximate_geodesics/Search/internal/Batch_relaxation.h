@@ -207,7 +207,7 @@ public:
   // The number of scanned arcs, if they are counted.
   std::size_t number_of_arcs() const { return m_number_of_arcs; }
 
-  // Which thread appends to a part, in `append_in_parallel()`.
+  // Which thread appends to a part, in `append_in_parallel()`; 0 elsewhere.
   std::size_t thread() const { return m_thread; }
 
   // Removes all candidates. `distances` are the labels, which must not change before the next call.
@@ -521,10 +521,7 @@ private:
       if constexpr(has_prefetch<Graph>)
         m_graph.prefetch(node);
       *end = node;
-      if constexpr(needs_order<Heuristic> && can_keep_order<Queue>)
-        ++end; // such a queue lowers keys in place
-      else
-        end += static_cast<std::ptrdiff_t>(!is_stale(key, distances[node], node, m_heuristic));
+      end += static_cast<std::ptrdiff_t>(!is_stale(key, distances[node], node, m_heuristic));
     }
     order.resize(static_cast<std::size_t>(end - order.data()));
     m_size = order.size() - first;

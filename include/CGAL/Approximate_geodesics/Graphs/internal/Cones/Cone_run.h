@@ -53,7 +53,7 @@ protected:
  * the first time are expanded together. All arcs of nodes that are expanded again are computed, as
  * arcs that were of no use with the larger label may be needed.
  *
- * Several threads expand all nodes of a round of the queue at once. Many of these get shorter paths
+ * Several threads expand many nodes of the queue at once. Some of these get shorter paths
  * over other ones, and would be expanded again. But few of those paths are not along an edge. So
  * threads first look at the edges: a node with a shorter path along one waits, and only this arc is
  * appended.
@@ -85,18 +85,18 @@ public:
   {
     constexpr std::size_t fewest_nodes = 32;
     const Loop& loop = graph().m_loop;
-    const bool is_parallel = graph().is_parallel() && number >= fewest_nodes;
+    const bool is_shared = graph().is_parallel() && number >= fewest_nodes;
     m_is_expanded.resize(graph().number_of_nodes());
-    m_waits.assign(number, false);
+    m_waits.resize(number);
     m_memories.resize(
-        (std::max)(m_memories.size(), is_parallel ? loop.number_of_threads() : std::size_t(1)));
+        (std::max)(m_memories.size(), is_shared ? loop.number_of_threads() : std::size_t(1)));
     const std::size_t size_of_turn = graph().is_parallel() ? SIZE_OF_TASK : LARGEST_FRONT;
     const std::size_t number_of_turns = (number + size_of_turn - 1) / size_of_turn;
     const auto take_turn = [&](const std::size_t i, Candidates& part, Front_memory& memory) {
       const std::size_t first = i * size_of_turn, beyond = (std::min)(first + size_of_turn, number);
       expand_some(nodes, first, beyond, labels, part, memory);
     };
-    if(is_parallel)
+    if(is_shared)
       candidates.append_in_parallel(loop, number_of_turns,
                                     [&](const std::size_t i, Candidates& part) {
                                       take_turn(i, part, m_memories[part.thread()]);
@@ -127,7 +127,7 @@ public:
   {
     if(!graph().is_parallel())
       return 0;
-    return graph().advances_together() ? 4096 : 128;
+    return graph().advances_together() ? LARGEST_BATCH : LARGEST_BATCH_WITHOUT_WAITING;
   }
 
   std::size_t memory() const
@@ -142,6 +142,11 @@ private:
   static constexpr std::size_t LARGEST_FRONT = 32; // nodes that are expanded together
   static constexpr std::size_t SIZE_OF_TASK = 16;  // the same for several threads: short tasks
 
+  // Entries, most of which are stale. In a larger batch, more nodes get shorter paths that are not
+  // along an edge, and are expanded again: where sizes of faces vary, a third more at 512, and half
+  // more at 4096. Without waiting, any shorter path counts.
+  static constexpr std::size_t LARGEST_BATCH = 512, LARGEST_BATCH_WITHOUT_WAITING = 128;
+
   // Expands the nodes from the `first` one on, as a task of one thread.
   template <typename Labels, typename Candidates>
   void expand_some(const Node* const nodes,
@@ -153,11 +158,14 @@ private:
   {
     boost::container::small_vector<Node, LARGEST_FRONT> together;
     const bool advances_together = graph().advances_together();
+    const bool may_wait = advances_together && graph().is_parallel();
     for(std::size_t i = first; i < beyond; ++i)
-      if(const Node node = nodes[i]; advances_together && graph().is_parallel() &&
-                                     append_shorter_path(node, labels, candidates))
-        m_waits[i] = true;
-      else if(advances_together && !m_is_expanded[node])
+    {
+      const Node node = nodes[i];
+      m_waits[i] = may_wait && append_shorter_path(node, labels, candidates);
+      if(m_waits[i])
+        continue;
+      if(advances_together && !m_is_expanded[node])
         together.push_back(node);
       else
         graph().find_arcs_in_turn(
@@ -165,6 +173,7 @@ private:
               candidates.make_room(1);
               candidates.append(true, node, labels.distance(node), target, length);
             });
+    }
     graph().expand(together.data(), together.size(), m_epsilon, labels, candidates, memory);
   }
 
@@ -190,7 +199,7 @@ private:
 
   double m_epsilon;
   std::vector<bool> m_is_expanded;      // empty before the first expansion
-  std::vector<char> m_waits;            // by node of the batch
+  std::vector<char> m_waits;            // by node of the batch; bytes, as several threads write
   std::vector<Front_memory> m_memories; // by thread
 };
 
