@@ -170,7 +170,8 @@ TEST(Steiner_graph, finds_the_cheapest_of_all_paths_without_narrow_arcs)
       {
         SCOPED_TRACE(angle);
         const Mesh mesh = to_mesh(soup);
-        const Weights weights = random_weights(mesh, random, 1, range);
+        const double extreme = range > 1 ? 0.2 : 0; // weights 0 and infinity, of each
+        const Weights weights = random_weights(mesh, random, 1, range, extreme);
         const Random_points_without_narrow_arcs points(220, random.below(1000));
         const auto graph = steiner_graph(mesh, weights, points);
         const Full_graph reference(mesh, graph);
@@ -239,7 +240,7 @@ TEST(Geometric_points, leave_out_arcs_that_hardly_matter)
           }
         }
       }
-  EXPECT_LT(static_cast<double>(arcs), 0.9 * static_cast<double>(all_arcs));
+  EXPECT_NE(arcs, all_arcs); // or none was left out
 }
 
 } // namespace
