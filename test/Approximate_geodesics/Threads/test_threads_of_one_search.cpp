@@ -213,8 +213,8 @@ TEST_F(One_search_by_threads, looks_for_few_arcs_in_vain)
     return number_of_arcs(with_concurrency(CGAL::Parallel_tag())) /
            number_of_arcs(with_concurrency(CGAL::Sequential_tag()));
   };
-  EXPECT_LT(more_arcs(graded(300, 100, 100), 0), 1.1);
-  EXPECT_LT(more_arcs(graded(150, 30, 40), 22400), 1.4); // sizes of faces vary far more
+  EXPECT_LT(more_arcs(graded(300, 100, 100), 0), 1.05);
+  EXPECT_LT(more_arcs(graded(150, 30, 40), 22400), 1.35); // sizes of faces vary far more
 }
 
 TEST_F(One_search_by_threads, counts_what_one_thread_counts)
