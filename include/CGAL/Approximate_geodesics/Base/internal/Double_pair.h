@@ -10,6 +10,9 @@
 
 #if defined(__GNUC__) && defined(__SSE2__)
 #include <emmintrin.h>
+#else
+#include <cstdint>
+#include <cstring>
 #endif
 
 namespace CGAL::Approximate_geodesics::internal {
@@ -100,23 +103,35 @@ public:
     Mask(const bool left, const bool right) : m_left(left), m_right(right) {}
     explicit Mask(const bool both) : Mask(both, both) {}
 
-    int bits() const { return (m_left ? 1 : 0) + (m_right ? 2 : 0); }
+    int bits() const { return int(m_left) + 2 * int(m_right); }
 
     Double_pair choose(const Double_pair a, const Double_pair b) const
     {
-      return {m_left ? a.m_left : b.m_left, m_right ? a.m_right : b.m_right};
+      return {choose(m_left, a.m_left, b.m_left), choose(m_right, a.m_right, b.m_right)};
     }
 
     friend Mask operator&(const Mask a, const Mask b)
     {
-      return {a.m_left && b.m_left, a.m_right && b.m_right};
+      return {(a.m_left & b.m_left) != 0, (a.m_right & b.m_right) != 0};
     }
     friend Mask operator|(const Mask a, const Mask b)
     {
-      return {a.m_left || b.m_left, a.m_right || b.m_right};
+      return {(a.m_left | b.m_left) != 0, (a.m_right | b.m_right) != 0};
     }
 
   private:
+    // no branch depends on a comparison
+    static double choose(const bool is_first, const double a, const double b)
+    {
+      std::uint64_t bits, other_bits;
+      std::memcpy(&bits, &a, sizeof(a));
+      std::memcpy(&other_bits, &b, sizeof(b));
+      bits ^= (bits ^ other_bits) & (std::uint64_t(is_first) - 1);
+      double result;
+      std::memcpy(&result, &bits, sizeof(result));
+      return result;
+    }
+
     bool m_left, m_right;
   };
 
