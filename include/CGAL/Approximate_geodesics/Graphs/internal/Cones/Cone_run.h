@@ -53,10 +53,10 @@ protected:
  * the first time are expanded together. All arcs of nodes that are expanded again are computed, as
  * arcs that were of no use with the larger label may be needed.
  *
- * Several threads expand many nodes of the queue at once. Some of these get shorter paths
- * over other ones, and would be expanded again. But few of those paths are not along an edge. So
- * threads first look at the edges: a node with a shorter path along one waits, and only this arc is
- * appended.
+ * Some nodes of a batch get shorter paths over other ones, and would be expanded again. But few of
+ * those paths are not along an edge. So the edges are looked at first: a node with a shorter path
+ * along one waits, and only this arc is appended. This is why several threads can expand many nodes
+ * of the queue at once.
  */
 template <typename Graph>
 class Cone_run : public Arc_run<Graph>
@@ -158,11 +158,10 @@ private:
   {
     boost::container::small_vector<Node, LARGEST_FRONT> together;
     const bool advances_together = graph().advances_together();
-    const bool may_wait = advances_together && graph().is_parallel();
     for(std::size_t i = first; i < beyond; ++i)
     {
       const Node node = nodes[i];
-      m_waits[i] = may_wait && append_shorter_path(node, labels, candidates);
+      m_waits[i] = advances_together && append_shorter_path(node, labels, candidates);
       if(m_waits[i])
         continue;
       if(advances_together && !m_is_expanded[node])
