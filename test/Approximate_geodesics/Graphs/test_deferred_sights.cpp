@@ -226,7 +226,7 @@ TEST(Sight, knows_a_lower_bound_of_distances)
     const double far = std::pow(10, random.between(0, 12)), near = random.between(0.5, 1);
     const Plane_vector left{far, random.between(0, 1e-3)}, right{near, random.between(-1e-3, 0)};
     const AG::internal::Sight sight{
-        0, 0, 0, left, right, right - left, length(left), length(right)};
+        0, 0, 0, 0, left, right, right - left, length(left), length(right)};
     EXPECT_LE(sight.smallest_distance(), length(right)) << far;
   }
 }

@@ -16,6 +16,7 @@
 #include <algorithm>
 #include <array>
 #include <cstddef>
+#include <iterator>
 #include <limits>
 #include <utility>
 #include <vector>
@@ -58,7 +59,8 @@ struct Deferred_sight
  * The order of sights by distance is that of continuous Dijkstra (J. Mitchell, D. Mount,
  * C. Papadimitriou, The discrete geodesic problem, 1987). Here, an approximate order is enough:
  * sights are in buckets, one for each step of the search, which is a fraction of the distance to
- * the horizon.
+ * the horizon. Buckets consist of blocks, which are used again as soon as their sights were
+ * resumed: no sight is copied, and the memory is in the caches.
  */
 class Deferred_sights
 {
@@ -92,7 +94,8 @@ public:
 
   // How far away sights are deferred; infinity if they are not. On a smooth surface that fits into
   // the processor's caches, or where few vertices have sights, deferring these takes more time than
-  // it saves, unless it gives several threads something to do.
+  // it saves, unless it gives several threads something to do. Where faces are long and thin, as in
+  // a CAD part, vertices are denser than edges are long.
   static double
   suitable_distance(const Bends& bends, const double mean_edge, const bool is_parallel)
   {
@@ -101,18 +104,20 @@ public:
     const bool gains =
         bends.mean_excess() > smooth ||
         (bends.number_of_vertices() > smallest_size && bends.share_of_bends() > fewest_bends);
-    return gains || is_parallel ? mean_edge * (is_rough(bends) ? 4 : 16) : infinity;
+    const double edge = bends.spacing() < mean_edge / 2 ? bends.spacing() : mean_edge;
+    return gains || is_parallel ? (std::max)(mean_edge, edge * (is_rough(bends) ? 5 : 16))
+                                : infinity;
   }
 
   // Starts a search. The horizon is at least this far away from the nodes that are expanded.
   void start(const double distance)
   {
-    for(List& list : m_steps)
-      list.clear();
+    for(Blocks& blocks : m_steps)
+      clear(blocks);
     for(List& list : m_of_tasks) // a search may have ended while there were tasks
       list.clear();
     m_beyond.clear();
-    m_resumed.clear();
+    clear(m_resumed);
     m_first = 0;
     m_distance = distance;
     m_step = distance / steps_to_horizon;
@@ -129,7 +134,7 @@ public:
   bool
   advance(const Deferred_sight::Index* const nodes, const std::size_t number, const Labels& labels)
   {
-    m_resumed.clear();
+    clear(m_resumed);
     double label = number == 0 && is_any_waiting() ? next_label_and_tip().first : 0;
     for(std::size_t i = 0; i < number; ++i)
       label = (std::max)(label, labels.distance(nodes[i]));
@@ -144,35 +149,34 @@ public:
     return true;
   }
 
-  // The sights that are to be resumed then are in chunks, one for a thread at a time.
-  std::size_t number_of_chunks() const
-  {
-    return (m_resumed.size() + sights_in_chunk - 1) / sights_in_chunk;
-  }
+  // The number of blocks of sights that are to be resumed then, one by a thread at a time.
+  std::size_t number_of_blocks() const { return m_resumed.size(); }
 
-  // Calls `f(sight)` for those of a chunk, unless the label of the tip has been lowered: the sight
+  // Calls `f(sight)` for those of a block, unless the label of the tip has been lowered: the sight
   // is also followed with the smaller label.
   template <typename Labels, typename Prefetch, typename F>
-  void for_each_in_chunk(const std::size_t chunk,
+  void for_each_in_block(const std::size_t block,
                          const Labels& labels,
                          const Prefetch& prefetch,
                          F f) const
   {
     constexpr std::size_t ahead = 8;
-    const std::size_t beyond = (std::min)(m_resumed.size(), (chunk + 1) * sights_in_chunk);
-    for(std::size_t i = chunk * sights_in_chunk; i < beyond; ++i)
+    const List& list = m_resumed[block];
+    for(std::size_t i = 0; i < (std::min)(ahead, list.size()); ++i)
+      prefetch(list[i]);
+    for(std::size_t i = 0; i < list.size(); ++i)
     {
-      if(i + ahead < m_resumed.size())
-        prefetch(m_resumed[i + ahead]);
-      if(!(labels.distance(m_resumed[i].tip) < m_resumed[i].label_of_tip))
-        f(m_resumed[i]);
+      if(i + ahead < list.size())
+        prefetch(list[i + ahead]);
+      if(!(labels.distance(list[i].tip) < list[i].label_of_tip))
+        f(list[i]);
     }
   }
 
-  // Calls `append(i, part, sink)` for all `i` below `number`, in parallel if there are enough: it
-  // appends arcs to a part of the candidates, and defers sights to the sink. If any sights wait,
-  // requests a call when the search reaches them. Results depend on the order of sights, and so
-  // this does not depend on threads.
+  // Calls `append(i, part, sink)` for all `i` below `number`, those of the blocks first, in
+  // parallel if there are enough: it appends arcs to a part of the candidates, and defers sights to
+  // the sink. If any sights wait, requests a call when the search reaches them. Results depend on
+  // the order of sights, and so this does not depend on threads.
   template <typename Candidates, typename F>
   void
   append_all(const Loop& loop, const std::size_t number, Candidates& candidates, const F& append)
@@ -182,7 +186,11 @@ public:
       append_in_parallel(loop, number, candidates, append);
     else
       for(std::size_t i = 0; i < number; ++i)
+      {
         append(i, candidates, Sink(*this));
+        if(i < m_resumed.size())
+          release(m_resumed[i]);
+      }
     if(is_any_waiting())
     {
       const auto [label, tip] = next_label_and_tip();
@@ -192,23 +200,31 @@ public:
 
   std::size_t memory() const
   {
-    std::size_t result = memory_of(m_beyond, m_resumed, m_of_tasks);
-    for(const List& list : m_steps)
-      result += memory_of(list);
-    for(const List& list : m_of_tasks)
-      result += memory_of(list);
+    std::size_t result = memory_of(m_beyond);
+    const auto add = [&](const std::vector<List>& lists) {
+      result += memory_of(lists);
+      for(const List& list : lists)
+        result += memory_of(list);
+    };
+    add(m_of_tasks);
+    add(m_unused);
+    add(m_resumed);
+    for(const Blocks& blocks : m_steps)
+      add(blocks);
     return result;
   }
 
 private:
   static constexpr double infinity = std::numeric_limits<double>::infinity();
   static constexpr std::size_t number_of_steps = 16, steps_to_horizon = 8;
-  static constexpr std::size_t sights_in_chunk = 64;
+  static constexpr std::size_t sights_in_block = 64;
+
+  using Blocks = std::vector<List>; // none of them is empty
 
   bool is_any_waiting() const
   {
     return !m_beyond.empty() || std::any_of(m_steps.begin(), m_steps.end(),
-                                            [](const List& list) { return !list.empty(); });
+                                            [](const Blocks& blocks) { return !blocks.empty(); });
   }
 
   // The label at which the search reaches the next sights, and a tip, whose label is smaller.
@@ -216,8 +232,8 @@ private:
   std::pair<double, Deferred_sight::Index> next_label_and_tip() const
   {
     for(std::size_t i = 0; i < number_of_steps; ++i)
-      if(const List& list = m_steps[(m_first + i) % number_of_steps]; !list.empty())
-        return {m_next_step + static_cast<double>(i) * m_step, list.front().tip};
+      if(const Blocks& blocks = m_steps[(m_first + i) % number_of_steps]; !blocks.empty())
+        return {m_next_step + static_cast<double>(i) * m_step, blocks.front().front().tip};
     return {m_next_step + number_of_steps * m_step, m_beyond.front().tip};
   }
 
@@ -243,15 +259,43 @@ private:
   {
     const double step = (smallest_label - m_next_step) / m_step;
     return step < number_of_steps
-               ? m_steps[(m_first + static_cast<std::size_t>(step)) % number_of_steps]
+               ? open_block(m_steps[(m_first + static_cast<std::size_t>(step)) % number_of_steps])
                : m_beyond;
+  }
+
+  // The last block, where there is room for one more sight.
+  List& open_block(Blocks& blocks)
+  {
+    if(blocks.empty() || blocks.back().size() == sights_in_block)
+    {
+      if(m_unused.empty())
+        m_unused.emplace_back().reserve(sights_in_block);
+      blocks.push_back(std::move(m_unused.back()));
+      m_unused.pop_back();
+    }
+    return blocks.back();
+  }
+
+  void release(List& block)
+  {
+    if(block.capacity() == 0) // released before
+      return;
+    block.clear();
+    m_unused.push_back(std::move(block));
+  }
+
+  void clear(Blocks& blocks)
+  {
+    for(List& block : blocks)
+      release(block);
+    blocks.clear();
   }
 
   void take_next_step()
   {
-    List& list = m_steps[m_first];
-    m_resumed.insert(m_resumed.end(), list.begin(), list.end());
-    list.clear();
+    Blocks& blocks = m_steps[m_first];
+    std::move(blocks.begin(), blocks.end(), std::back_inserter(m_resumed));
+    blocks.clear();
     m_first = (m_first + 1) % number_of_steps;
     m_next_step += m_step;
   }
@@ -268,15 +312,15 @@ private:
       const double step = (s->smallest_label - m_next_step) / m_step;
       const auto i = // not beyond the last bucket, by rounding
           (std::min)(static_cast<std::size_t>((std::max)(step, 0.)), number_of_steps - 1);
-      (step > 0 ? m_steps[(m_first + i) % number_of_steps] : m_resumed).push_back(*s);
+      open_block(step > 0 ? m_steps[(m_first + i) % number_of_steps] : m_resumed).push_back(*s);
     }
     m_beyond.erase(near, m_beyond.end());
   }
 
-  std::array<List, number_of_steps> m_steps; // a ring, from `m_first` on
+  std::array<Blocks, number_of_steps> m_steps; // a ring, from `m_first` on
   std::size_t m_first = 0;
   List m_beyond; // the last of these
-  List m_resumed;
+  Blocks m_resumed, m_unused;
   std::vector<List> m_of_tasks;
   double m_next_step = infinity, m_step = infinity, m_distance = infinity;
 };

@@ -373,7 +373,7 @@ protected:
       left = {sign * length(left), 0};
       right = {length(right), 0};
     }
-    return {halfedge, null_index, 0, left, right, right - left, length(left), length(right)};
+    return {halfedge, null_index, 0, 0, left, right, right - left, length(left), length(right)};
   }
 
   const Sight_tables& m_tables;

@@ -149,14 +149,14 @@ public:
   {
     if(m_sights.advance(nodes, number, labels))
       m_bounds.spread(graph().triangulation(), m_sights.horizon(), m_sights.distance());
-    const std::size_t number_of_chunks = m_sights.number_of_chunks();
+    const std::size_t number_of_blocks = m_sights.number_of_blocks();
     m_sights.append_all(
-        graph().m_loop, number_of_chunks + number, candidates,
+        graph().m_loop, number_of_blocks + number, candidates,
         [&](const std::size_t i, Candidates& part, const Deferred_sights::Sink& deferred) {
-          if(i < number_of_chunks)
+          if(i < number_of_blocks)
             append_resumed(i, labels, part, deferred);
           else
-            append_arcs(nodes[i - number_of_chunks], labels, part, deferred);
+            append_arcs(nodes[i - number_of_blocks], labels, part, deferred);
         });
   }
 
@@ -324,26 +324,25 @@ private:
 
   // Continues a part of the sights that the search has reached.
   template <typename Labels, typename Candidates>
-  void append_resumed(const std::size_t chunk,
+  void append_resumed(const std::size_t block,
                       const Labels& labels,
                       Candidates& candidates,
                       const Deferred_sights::Sink& deferred)
   {
     check_for_interruption();
-    const Intrinsic_triangulation& t = graph().triangulation();
     Arc_visitor<Labels, Candidates> visitor{{},         *this,    labels,     m_sights.horizon(),
                                             null_index, infinity, candidates, deferred};
     Sight_expansion sights_ahead(graph().m_tables, infinity, visitor);
     const auto prefetch_for = [&](const Deferred_sight& s) {
       prefetch(labels.distances(), s.tip);
       graph().m_tables.steps.prefetch(s.sight.halfedge);
-      t.prefetch(s.sight.halfedge);
+      m_bounds.prefetch(s.sight.left_end);
+      m_bounds.prefetch(s.sight.right_end);
     };
-    m_sights.for_each_in_chunk(chunk, labels, prefetch_for, [&](const Deferred_sight& s) {
-      const Node h = s.sight.halfedge;
+    m_sights.for_each_in_block(block, labels, prefetch_for, [&](const Deferred_sight& s) {
       visitor.tip = s.tip;
       visitor.label_of_tip = s.label_of_tip;
-      sights_ahead.resume(s.sight, s.label_of_tip, s.milestone, t.source(h), t.target(h));
+      sights_ahead.resume(s.sight, s.label_of_tip, s.milestone);
     });
   }
 

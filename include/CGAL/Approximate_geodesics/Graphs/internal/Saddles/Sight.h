@@ -185,12 +185,14 @@ struct Sight
   Index halfedge = 0;                         // that of the edge whose face lies ahead, to its left
   Index milestone = 0;                        // one of the halfedges on the way
   std::uint32_t depth = 0;                    // the number of faces on the way
+  std::uint32_t number_of_milestones = 0;     // among them
   Plane_vector left = {0, 0}, right = {0, 0}; // the positions of source and target
   Plane_vector edge = {0, 0};                 // from one to the other
   double left_distance = 0, right_distance = 0; // of source and target
   double left_bound = 0, right_bound = 0;       // of their labels, with a margin for rounding
   // Sees all between the ends of the edge, unless other rays are given.
   Sight_ray left_ray = {left, left_distance}, right_ray = {right, right_distance};
+  Index left_end = null_index, right_end = null_index; // source and target
 
   // A lower bound on the distances of all points of the edge, by the triangle inequality. Where the
   // edge is far longer than they are, rounding errors of its length would matter.

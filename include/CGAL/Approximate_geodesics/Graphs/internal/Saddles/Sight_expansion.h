@@ -15,6 +15,7 @@
 #include <boost/container/static_vector.hpp>
 
 #include <algorithm>
+#include <cmath>
 #include <cstddef>
 #include <cstdint>
 
@@ -64,22 +65,20 @@ public:
   void look(Sight sight, const Index left_end, const Index right_end)
   {
     sight.milestone = null_index;
-    sight.depth = 0;
-    follow(sight, left_end, right_end);
+    sight.depth = sight.number_of_milestones = 0;
+    sight.left_end = left_end;
+    sight.right_end = right_end;
+    follow(sight);
   }
 
   // Follows a sight that was deferred, perhaps from another tip, with the milestone that the
   // visitor was given.
-  void resume(const Sight& sight,
-              const double label_of_tip,
-              const Crossing& milestone,
-              const Index left_end,
-              const Index right_end)
+  void resume(const Sight& sight, const double label_of_tip, const Crossing& milestone)
   {
     m_label_of_tip = label_of_tip;
-    m_milestones.resize(number_of_milestones(sight.depth));
+    m_milestones.resize(sight.number_of_milestones);
     m_milestones.back() = milestone; // the others are not needed
-    follow(sight, left_end, right_end);
+    follow(sight);
   }
 
 private:
@@ -94,10 +93,10 @@ private:
   double bound(const Index v) const { return m_visitor.bound(v) * (1 + rounding); }
 
   // Not inline, so that it is compiled once: another compilation may round differently.
-  BOOST_NOINLINE void follow(Sight sight, const Index left_end, const Index right_end)
+  BOOST_NOINLINE void follow(Sight sight)
   {
-    sight.left_bound = bound(left_end);
-    sight.right_bound = bound(right_end);
+    sight.left_bound = bound(sight.left_end);
+    sight.right_bound = bound(sight.right_end);
     bool is_open = !sight.is_useless(m_label_of_tip);
     while(is_open || pop(m_stack, sight))
       is_open = advance(sight);
@@ -122,14 +121,28 @@ private:
     if constexpr(Visitor::wants_faces)
       m_visitor.on_face(sight, p);
     const double beyond_left = cross(sight.left_ray.direction, p),
-                 beyond_right = cross(p, sight.right_ray.direction),
-                 left_margin = sight.left_ray.margin * apex.distance,
-                 right_margin = sight.right_ray.margin * apex.distance;
+                 beyond_right = cross(p, sight.right_ray.direction);
+    // Most apexes are so far from the rays that a bound on the distance, which is known earlier,
+    // tells the side.
+    const double at_least_distance = std::abs(p.x) + std::abs(p.y);
+    if(beyond_left > sight.left_ray.margin * at_least_distance)
+      return go_right(sight, apex);
+    if(beyond_right > sight.right_ray.margin * at_least_distance && beyond_left < 0)
+      return go_left(sight, apex);
+    return advance_past(apex, sight, beyond_left, beyond_right);
+  }
 
+  // The same if the apex is between the rays, or close to one of them.
+  BOOST_FORCEINLINE bool
+  advance_past(const Apex& apex, Sight& sight, const double beyond_left, const double beyond_right)
+  {
+    const double left_margin = sight.left_ray.margin * apex.distance,
+                 right_margin = sight.right_ray.margin * apex.distance;
+    const bool is_short = m_label_of_tip + apex.distance <= apex.bound;
     int side = beyond_left > left_margin ? 1 : beyond_right > right_margin ? -1 : 0;
     if(side == 0)
     {
-      if(m_label_of_tip + apex.distance <= apex.bound)
+      if(is_short)
         report(sight, apex);
       if(BOOST_UNLIKELY(!(beyond_left < -left_margin && beyond_right < -right_margin)))
       {
@@ -144,7 +157,7 @@ private:
     }
     if(side != 0)
       return side > 0 ? go_right(sight, apex) : go_left(sight, apex);
-    return split(sight, apex, useful_side(sight, apex));
+    return split(sight, apex, is_short ? 0 : useful_side(sight, apex));
   }
 
   // Not inline, as few vertices are reached on a line that is not longer than their bounds. It
@@ -160,29 +173,31 @@ private:
   // milestone and the depth.
   bool has_returned(Sight& sight, const double height_of_face)
   {
-    const Crossing here{sight.halfedge, sight.left, sight.right};
-    if(BOOST_UNLIKELY(sight.halfedge == sight.milestone) &&
-       m_tables.winding.is_over(here, m_milestones[number_of_milestones(sight.depth) - 1],
-                                sight.left_ray.direction, sight.right_ray.direction,
-                                height_of_face))
+    if(BOOST_UNLIKELY(sight.halfedge == sight.milestone) && is_over(sight, height_of_face))
       return true;
     if(Winding::is_milestone(sight.depth))
     {
       sight.milestone = sight.halfedge;
-      m_milestones.resize(number_of_milestones(sight.depth));
-      m_milestones.push_back(here);
+      append_milestone(sight.number_of_milestones++, sight.halfedge, sight.left, sight.right);
     }
     ++sight.depth;
     return false;
   }
 
-  // The number of milestones among the first `depth` faces on the way.
-  static std::size_t number_of_milestones(std::uint32_t depth)
+  BOOST_NOINLINE bool is_over(const Sight sight, const double height_of_face) const
   {
-    std::size_t result = 0;
-    for(; depth > 0; depth >>= 1)
-      ++result;
-    return result;
+    return m_tables.winding.is_over(
+        {sight.halfedge, sight.left, sight.right}, m_milestones[sight.number_of_milestones - 1],
+        sight.left_ray.direction, sight.right_ray.direction, height_of_face);
+  }
+
+  BOOST_NOINLINE void append_milestone(const std::size_t number_of_earlier,
+                                       const Index halfedge,
+                                       const Plane_vector left,
+                                       const Plane_vector right)
+  {
+    m_milestones.resize(number_of_earlier);
+    m_milestones.push_back({halfedge, left, right});
   }
 
   /*
@@ -258,11 +273,11 @@ private:
     if constexpr(Visitor::knows_arrivals)
     {
       const Index v = apex.step.apex;
-      if(m_label_of_tip + apex.distance > m_visitor.label(v) * (1 + rounding) &&
-         m_visitor.has_predecessor(v)) // a line from a source may have started in the face
+      if(m_label_of_tip + apex.distance > m_visitor.label(v) * (1 + rounding))
       {
         const Arrival& other = m_visitor.arrival(v);
-        if(other.halfedge == sight.halfedge && other.has_direction())
+        if(other.halfedge == sight.halfedge && other.has_direction() &&
+           m_visitor.has_predecessor(v)) // a line from a source may have started in the face
         {
           const double way =
               Arrival::across(sight.halfedge, apex.position, apex.left_edge).direction;
@@ -278,7 +293,7 @@ private:
   BOOST_NOINLINE bool defer(const Sight sight) const
   {
     return sight.is_beaten(m_label_of_tip) ||
-           m_visitor.defer(sight, m_milestones[number_of_milestones(sight.depth) - 1]);
+           m_visitor.defer(sight, m_milestones[sight.number_of_milestones - 1]);
   }
 
   BOOST_FORCEINLINE bool goes_on(const Sight& sight) const
@@ -296,6 +311,7 @@ private:
   BOOST_FORCEINLINE bool go_right(Sight& sight, const Apex& apex) const
   {
     sight.halfedge = apex.step.right;
+    sight.left_end = apex.step.apex;
     sight.left = apex.position;
     sight.edge = apex.step.right_edge(sight.edge);
     sight.left_distance = apex.distance;
@@ -306,6 +322,7 @@ private:
   BOOST_FORCEINLINE bool go_left(Sight& sight, const Apex& apex) const
   {
     sight.halfedge = apex.step.left;
+    sight.right_end = apex.step.apex;
     sight.right = apex.position;
     sight.edge = apex.left_edge;
     sight.right_distance = apex.distance;
@@ -323,10 +340,10 @@ private:
     }
     if(useful_side == 0)
     {
-      Sight right = sight;
-      right.left_ray = between;
-      if(go_right(right, apex))
-        m_stack.push_back(right);
+      m_stack.push_back(sight);
+      m_stack.back().left_ray = between;
+      if(!go_right(m_stack.back(), apex))
+        m_stack.pop_back();
     }
     sight.right_ray = between;
     return go_left(sight, apex);

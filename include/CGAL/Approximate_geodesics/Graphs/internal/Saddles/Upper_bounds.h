@@ -33,6 +33,7 @@ public:
   explicit Upper_bounds(const std::size_t number_of_nodes) : m_bounds(number_of_nodes, infinity) {}
 
   double operator[](const Index node) const { return m_bounds[node]; }
+  void prefetch(const Index node) const { internal::prefetch(m_bounds.data(), node); }
 
   // Takes a bound that is known before the search.
   void start_with(const Index node, const double bound)

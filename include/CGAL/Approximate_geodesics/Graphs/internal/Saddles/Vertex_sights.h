@@ -46,20 +46,11 @@ public:
 
   Bends(const Intrinsic_triangulation& triangulation, const Face_steps& steps)
   {
-    // Lines that rounding hides on one side of a border vertex are not found on another side.
-    // Across needles, rounding may hide lines along a straight border, so paths may bend even if
-    // the angle is slightly less than pi. They are continued only if their slack makes up for the
-    // difference.
-    const double largest_at_border =
-        has_needles(triangulation, steps) ? -Arrival::ROUNDING : ROUNDING;
-    m_bends.reserve(triangulation.number_of_vertices());
-    for(Index v = 0; v < triangulation.number_of_vertices(); ++v)
-      m_bends.push_back(bend(triangulation, steps, v, largest_at_border));
-    for(Index h = 0; h < triangulation.number_of_halfedges(); ++h)
-      if(steps[h].has_face() && is_degenerate(triangulation, steps, h))
-        m_bends[steps[h].apex] = Bend_kind::ANY;
+    if(!add_all(triangulation, steps, ROUNDING))
+      heed_thin_faces(triangulation, steps);
     const auto number = static_cast<double>((std::max)(m_bends.size(), std::size_t(1)));
     m_mean_excess /= number;
+    m_spacing = std::sqrt(m_spacing / number / (3 * std::sqrt(3.)));
     m_share_of_bends = static_cast<double>(std::count_if(
                            m_bends.begin(), m_bends.end(),
                            [](const Bend_kind kind) { return kind >= Bend_kind::SADDLE; })) /
@@ -81,12 +72,53 @@ public:
   // large, the surface is rough, and many sights start from each of these vertices.
   double mean_excess() const { return m_mean_excess; }
 
+  // The length of edges if the same area had as many vertices, and equilateral faces.
+  double spacing() const { return m_spacing; }
+
   // The share of vertices where paths can bend.
   double share_of_bends() const { return m_share_of_bends; }
 
   std::size_t memory() const { return memory_of(m_bends); }
 
 private:
+  // Whether the face to the left of a halfedge of this length, if there is one, is neither a needle
+  // nor degenerate, by far: a quick test.
+  static bool is_well_shaped(const Face_step& step, const double length)
+  {
+    constexpr double small = 0x1p-10, large = 0x1p10;
+    return !step.has_face() ||
+           (step.across > small && step.across < large && std::abs(step.along) < large &&
+            small * length > Sight::SHORTEST_EDGE);
+  }
+
+  // Returns whether all faces are well shaped.
+  bool add_all(const Intrinsic_triangulation& triangulation,
+               const Face_steps& steps,
+               const double largest_at_border)
+  {
+    m_bends.clear();
+    m_bends.reserve(triangulation.number_of_vertices());
+    m_mean_excess = m_spacing = 0;
+    bool are_well_shaped = true;
+    for(Index v = 0; v < triangulation.number_of_vertices(); ++v)
+      m_bends.push_back(bend(triangulation, steps, v, largest_at_border, are_well_shaped));
+    return are_well_shaped;
+  }
+
+  void heed_thin_faces(const Intrinsic_triangulation& triangulation, const Face_steps& steps)
+  {
+    // Lines that rounding hides on one side of a border vertex are not found on another side.
+    // Across needles, rounding may hide lines along a straight border, so paths may bend even if
+    // the angle is slightly less than pi. They are continued only if their slack makes up for the
+    // difference.
+    if(has_needles(triangulation, steps))
+      add_all(triangulation, steps, -Arrival::ROUNDING);
+    for(Index h = 0; h < triangulation.number_of_halfedges(); ++h)
+      if(!is_well_shaped(steps[h], triangulation.length(h)) &&
+         is_degenerate(triangulation, steps, h))
+        m_bends[steps[h].apex] = Bend_kind::ANY;
+  }
+
   // Whether any face is so thin that positions across it lose a third of their digits.
   static bool has_needles(const Intrinsic_triangulation& triangulation, const Face_steps& steps)
   {
@@ -111,31 +143,68 @@ private:
     return !has_area || !(shortest > (std::max)(Sight::SHORTEST_EDGE, smallest_part * longest));
   }
 
+  // Clears `are_well_shaped` if a face at the vertex is not. Where all are, angles are added up as
+  // a product of complex numbers, whose sizes are ratios of lengths: without roots and divisions.
   Bend_kind bend(const Intrinsic_triangulation& triangulation,
                  const Face_steps& steps,
                  const Index v,
-                 const double largest_at_border)
+                 const double largest_at_border,
+                 bool& are_well_shaped)
   {
-    Angle_sum sum;
-    int number_of_borders = 0;
+    constexpr Index largest_degree = 64; // so that a `double` holds the product
+    Plane_vector rest{1, 0};
+    int half_turns = 0, number_of_borders = 0;
+    bool is_plain = triangulation.degree(v) <= largest_degree;
     for(Index h = triangulation.first_halfedge(v); h < triangulation.beyond_halfedge(v); ++h)
     {
-      if(steps[h].has_face())
-        sum.add(unit_corner(steps[h]));
-      else
+      const Face_step& step = steps[h];
+      const double length = triangulation.length(h);
+      if(!is_well_shaped(step, length))
+        is_plain = are_well_shaped = false;
+      m_spacing += step.across * length * length; // twice the area, for each side
+      if(!step.has_face())
         ++number_of_borders;
+      else if(rest = turned_left(rest, {step.along, step.across}); rest.y < 0)
+      {
+        rest = -1 * rest;
+        ++half_turns;
+      }
     }
     if(number_of_borders > 1)
       return Bend_kind::ANY;
-    const double excess = sum.value() - (2 - number_of_borders) * straight_angle;
-    m_mean_excess += number_of_borders > 0 ? 0 : (std::max)(0., excess);
-    if(excess > (number_of_borders > 0 ? largest_at_border : ROUNDING))
-      return number_of_borders > 0 ? Bend_kind::BORDER : Bend_kind::SADDLE;
+    const bool is_at_border = number_of_borders > 0;
+    const int straight = is_at_border ? 1 : 2;
+    double excess = (half_turns - straight) * straight_angle;
+    if(!is_plain)
+      excess = sum_of_angles(triangulation, steps, v) - straight * straight_angle;
+    else if(half_turns >= straight || is_nearly_straight(rest)) // if not, it is far below zero
+      excess += std::atan2(rest.y, rest.x);
+    m_mean_excess += is_at_border ? 0 : (std::max)(0., excess);
+    if(excess > (is_at_border ? largest_at_border : ROUNDING))
+      return is_at_border ? Bend_kind::BORDER : Bend_kind::SADDLE;
     return excess >= -FLAT ? Bend_kind::NONE_AS_FLAT : Bend_kind::NONE;
+  }
+
+  static bool is_nearly_straight(const Plane_vector angle)
+  {
+    constexpr double difference = 4 * Arrival::ROUNDING;
+    return angle.x < 0 && angle.y < difference * -angle.x;
+  }
+
+  static double sum_of_angles(const Intrinsic_triangulation& triangulation,
+                              const Face_steps& steps,
+                              const Index v)
+  {
+    Angle_sum sum;
+    for(Index h = triangulation.first_halfedge(v); h < triangulation.beyond_halfedge(v); ++h)
+      if(steps[h].has_face())
+        sum.add(unit_corner(steps[h]));
+    return sum.value();
   }
 
   std::vector<Bend_kind> m_bends; // per vertex
   double m_mean_excess = 0;       // a sum until all vertices are added
+  double m_spacing = 0;           // likewise, of areas
   double m_share_of_bends = 0;
 };
 
@@ -428,7 +497,7 @@ private:
        !(step.across > 0 || step.along < 0))
       return;
     const Plane_vector left{distance * step.along, distance * step.across}, right{distance, 0};
-    Sight sight{step.right,   null_index, 0, left, right, step.right_edge(right),
+    Sight sight{step.right,   null_index, 0, 0, left, right, step.right_edge(right),
                 length(left), distance};
     const auto narrow = [](Sight_ray& ray, const Plane_vector direction,
                            const Plane_vector direction_of_vertex,
