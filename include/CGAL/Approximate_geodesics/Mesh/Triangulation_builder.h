@@ -57,10 +57,8 @@ public:
   // number.
   void finish()
   {
-    const bool has_gaps = m_index_of_vertex.size() > m_number + std::size_t(1);
     m_index_of_vertex.resize(m_number);
-    if(has_gaps) // otherwise it would be copied for one entry
-      m_index_of_vertex.shrink_to_fit();
+    m_index_of_vertex.shrink_to_fit();
     for(const Index h : m_beyond)
     {
       Index& target = m_result.target_of_halfedge[h];
