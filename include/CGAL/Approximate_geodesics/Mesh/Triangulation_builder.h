@@ -35,12 +35,12 @@ public:
     const std::size_t v = before.number_of_vertices(), h = before.number_of_halfedges();
     reserve_huge_pages(m_vertex_of_index, v);
     m_vertex_of_index.assign(v, null_index);
-    m_index_of_vertex.resize(v + 1); // copy_targets() may write one more
+    resize_in_huge_pages(m_index_of_vertex, v + 1); // copy_targets() may write one more
     reserve_huge_pages(m_result.first_of_vertex, v + 1);
     m_result.first_of_vertex.assign(1, 0);
     resize_in_huge_pages(m_result.target_of_halfedge, h);
     m_result.opposite_rank.resize(h);
-    m_result.is_border.assign(h, false);
+    m_is_border.resize(h);
     m_result.number_of_faces = before.number_of_faces;
   }
 
@@ -64,9 +64,12 @@ public:
       Index& target = m_result.target_of_halfedge[h];
       target = m_vertex_of_index[target];
     }
+    for(const auto [i, rank] : m_before.border)
+      m_is_border[m_result.first_halfedge(m_vertex_of_index[i]) + rank] = true;
   }
 
   Connectivity& result() { return m_result; }
+  std::vector<bool>& is_border() { return m_is_border; } // per halfedge
   std::vector<Index>& vertex_of_index() { return m_vertex_of_index; }
   std::vector<Index>& index_of_vertex() { return m_index_of_vertex; }
 
@@ -84,6 +87,8 @@ private:
     for(std::size_t v = first; v < m_number; ++v)
     {
       constexpr std::size_t distance = 16;
+      if(v + 2 * distance < m_number)
+        prefetch(m_before.first_of_vertex.data(), m_index_of_vertex[v + 2 * distance]);
       if(v + distance < m_number)
       {
         const Index h = m_before.first_halfedge(m_index_of_vertex[v + distance]);
@@ -110,9 +115,6 @@ private:
     else
       copy_targets_near_end(old, degree, h, end_of_patch);
     m_result.opposite_rank.copy(m_before.opposite_rank, old, degree, h);
-    if(m_before.has_border())
-      for(Index rank = 0; rank < degree; ++rank)
-        m_result.is_border[h + rank] = m_before.is_border[old + rank];
     m_result.first_of_vertex.push_back(h + degree);
   }
 
@@ -155,6 +157,7 @@ private:
 
   const Connectivity& m_before;
   Connectivity m_result;
+  std::vector<bool> m_is_border;
   std::vector<Index> m_vertex_of_index, m_index_of_vertex;
   Index m_number = 0;          // of numbered vertices
   std::vector<Index> m_beyond; // halfedges that leave a patch, where further patches may start
@@ -217,8 +220,8 @@ public:
       return false;
     if constexpr(is_given<NamedParameters, internal_np::edge_length_t>)
       m_halfedges = halfedges_in_groups(m_vertices, adjacency, m_mesh);
-    Edge_lengths lengths = read_edge_lengths(m_mesh, read_points(m_mesh, m_vertices, m_np),
-                                             m_halfedges, m_np, adjacency);
+    Edge_lengths lengths = read_edge_lengths(
+        m_mesh, read_points(m_mesh, m_vertices, adjacency, m_np), m_halfedges, m_np, adjacency);
     m_result.m_length = std::move(lengths.of_halfedge);
     m_result.m_unit = lengths.unit;
     m_result.m_first_halfedge = std::move(adjacency.first_of_vertex);
@@ -259,13 +262,13 @@ private:
     if(!links.read() || !links.write(connectivity))
       return false;
     Vertex_order order(connectivity);
-    read_points_and_number(links, order);
+    read_points_and_number(links, connectivity, order);
     m_result.m_vertex_of_index = std::move(order.vertex_of_index());
     m_result.m_index_of_vertex = std::move(order.index_of_vertex());
     Connectivity& ordered = order.result();
     m_result.m_first_halfedge = std::move(ordered.first_of_vertex);
     m_result.m_target = std::move(ordered.target_of_halfedge);
-    m_result.m_is_border = std::move(ordered.is_border);
+    m_result.m_is_border = std::move(order.is_border());
     m_result.m_opposite_rank = std::move(ordered.opposite_rank);
     m_result.m_number_of_faces = static_cast<Index>(ordered.number_of_faces);
     if constexpr(needs_halfedges)
@@ -280,15 +283,15 @@ private:
   // One thread numbers the vertices, another one reads their points meanwhile: only one reads the
   // mesh.
   template <typename Links>
-  void read_points_and_number(Links& links, Vertex_order& order)
+  void read_points_and_number(Links& links, const Connectivity& connectivity, Vertex_order& order)
   {
     std::vector<Index> roots;
-    roots.reserve(links.vertex_list().size());
+    reserve_huge_pages(roots, links.vertex_list().size());
     for(const auto v : vertices(m_mesh))
       roots.push_back(links.index(v));
     m_loop.for_size(roots.size()).run(2, [&](const std::size_t task, std::size_t /* thread */) {
       if(task == 1)
-        m_points = read_points(m_mesh, links.vertex_list(), m_np);
+        m_points = read_points(m_mesh, links.vertex_list(), connectivity, m_np);
       else
       {
         for(const Index root : roots)
@@ -300,12 +303,8 @@ private:
 
   void copy_lengths()
   {
-    std::vector<Space_vector> points;
-    if(!m_points.empty())
-      points = select(m_points, m_result.m_index_of_vertex, m_loop);
-    m_points = std::vector<Space_vector>(); // frees its memory
     Edge_lengths lengths =
-        read_edge_lengths(m_mesh, std::move(points), m_halfedges, m_np, m_result);
+        read_edge_lengths(m_mesh, std::move(m_points), m_halfedges, m_np, m_result);
     m_result.m_length = std::move(lengths.of_halfedge);
     m_result.m_unit = lengths.unit;
     m_result.m_lines_may_return = is_given<NamedParameters, internal_np::edge_length_t>;
@@ -350,7 +349,7 @@ private:
   const TriangleMesh& m_mesh;
   const NamedParameters& m_np;
   const Loop m_loop = Loop::with_tag<Concurrency_tag<NamedParameters>>();
-  std::vector<Space_vector> m_points; // by the index of the vertex; empty if lengths are given
+  Mesh_points m_points;
   std::vector<typename Graph_traits::vertex_descriptor> m_vertices;    // as in the triangulation
   std::vector<typename Graph_traits::halfedge_descriptor> m_halfedges; // likewise, if needed
 };

@@ -534,23 +534,25 @@ public:
   /// @}
 
   /// \cond SKIP_IN_MANUAL
-  // A halfedge of a face that breaks the triangle inequality, or whose area underflows; or null.
-  Index face_without_shape() const
+  // Whether `h` is not so long that its face breaks the triangle inequality, and the area does not
+  // underflow. \pre There is a face to the left.
+  bool has_shape(const Index h) const
   {
     // lengths have been rounded once, or are given with errors of that order
     constexpr double tolerance = 16 * std::numeric_limits<double>::epsilon();
     constexpr double smallest_perimeter = 0x1p-240; // its fourth power still fits a `double`
+    const Index g = next(h);
+    const double rest = length(g) + length(next(g)), perimeter = length(h) + rest;
+    return length(h) <= rest + tolerance * perimeter &&
+           !(0 < rest && perimeter < smallest_perimeter);
+  }
 
+  // A halfedge of a face without shape, or null.
+  Index face_without_shape() const
+  {
     for(Index h = 0; h < number_of_halfedges(); ++h)
-    {
-      if(is_border(h))
-        continue;
-      const Index g = next(h);
-      const double rest = length(g) + length(next(g));
-      if(length(h) > rest + tolerance * (length(h) + rest) ||
-         (0 < rest && length(h) + rest < smallest_perimeter))
+      if(!is_border(h) && !has_shape(h))
         return h;
-    }
     return null_index;
   }
 

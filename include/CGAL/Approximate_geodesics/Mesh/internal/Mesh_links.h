@@ -229,15 +229,16 @@ public:
     if(!write_groups<true>(result))
       return false;
     result.opposite_rank.resize(result.number_of_halfedges());
-    if(result.has_border())
-      result.is_border.resize(result.number_of_halfedges());
     for(const halfedge_descriptor h : halfedges(m_mesh))
     {
       const Link link = m_links[index(h)], across = m_links[index(opposite(h, m_mesh))];
       const Index number = result.first_halfedge(across.target) + link.counterclockwise;
       result.opposite_rank.set(number, across.counterclockwise);
-      if(is_border(h, m_mesh))
-        result.is_border[number] = true;
+    }
+    for(const halfedge_descriptor h : m_border)
+    {
+      const Index source = m_links[index(opposite(h, m_mesh))].target;
+      result.border.push_back({source, m_links[index(h)].counterclockwise});
     }
     m_links = std::vector<Link>(); // frees its memory
     return true;
@@ -321,17 +322,19 @@ private:
   {
     reserve_huge_pages(m_links, m_number_of_halfedges);
     m_links.assign(m_number_of_halfedges, {null_index, null_index});
-    m_first_of_vertex.assign(m_number_of_vertices + 1, 0);
-    std::size_t number = 0, number_of_sides = 0;
+    resize_in_huge_pages(m_first_of_vertex, m_number_of_vertices + 1);
+    std::size_t number = 0;
     for(const halfedge_descriptor h : halfedges(m_mesh))
     {
-      if(!link(h) || (is_border(h, m_mesh) && !follows_its_predecessor(h, m_mesh)))
+      const bool is_on_border = is_border(h, m_mesh);
+      if(!link(h) || (is_on_border && !follows_its_predecessor(h, m_mesh)))
         return false;
       ++number;
-      number_of_sides += is_border(h, m_mesh) ? 0 : 1;
+      if(is_on_border)
+        m_border.push_back(h);
     }
     m_has_removed_halfedges = number < m_number_of_halfedges;
-    m_number_of_sides = number_of_sides;
+    m_number_of_sides = number - m_border.size();
     std::partial_sum(m_first_of_vertex.begin(), m_first_of_vertex.end(), m_first_of_vertex.begin());
     return true;
   }
@@ -538,6 +541,7 @@ private:
   std::vector<halfedge_descriptor> m_halfedges; // found around vertices, for reject_mesh() only
   std::vector<Link> m_links;            // by index; without a target if the halfedge was removed
   std::vector<Index> m_first_of_vertex; // prefix sums of degrees
+  std::vector<halfedge_descriptor> m_border;
   std::size_t m_number_of_faces = 0;
   std::size_t m_number_of_sides = 0; // halfedges that refer to a face
   bool m_has_removed_vertices = false;

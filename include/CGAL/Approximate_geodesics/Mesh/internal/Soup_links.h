@@ -41,6 +41,7 @@ public:
   bool read()
   {
     const auto all = vertices(m_mesh);
+    reserve_huge_pages(m_vertices, m_mesh.number_of_vertices());
     m_vertices.assign(all.begin(), all.end());
     return true;
   }
@@ -72,8 +73,6 @@ public:
     write_adjacency(result);
     result.number_of_faces = m_mesh.number_of_faces();
     result.opposite_rank.resize(result.number_of_halfedges());
-    if(result.has_border())
-      result.is_border.resize(result.number_of_halfedges());
     std::vector<Index> ranks;
     resize_in_huge_pages(ranks, result.number_of_halfedges());
     for(const Vertex_index v : vertices(m_mesh))
@@ -84,10 +83,9 @@ public:
     Index number = 0;
     for(const Vertex_index v : vertices(m_mesh))
       rotate(v, [&](const Halfedge_index h) {
-        result.opposite_rank.set(number, ranks[opposite(h, m_mesh)]);
-        if(result.has_border() && is_border(h, m_mesh))
-          result.is_border[number] = true;
-        ++number;
+        result.opposite_rank.set(number++, ranks[opposite(h, m_mesh)]);
+        if(is_border(h, m_mesh))
+          result.border.push_back({v, ranks[h]});
       });
     return true;
   }

@@ -72,12 +72,14 @@ inline double accurate_length(const Space_vector& way)
   return std::sqrt(dot(scaled, scaled)) * scale.unit();
 }
 
+using Points = std::vector<Space_vector, Uninitialized_allocator<Space_vector>>;
+
 // The edge length of each halfedge, in a unit that is a power of two.
 struct Edge_lengths
 {
   std::vector<double> of_halfedge;
   double unit = 1;
-  std::vector<Space_vector> points; // of vertices, in that unit; empty if lengths were given
+  Points points; // of vertices, in that unit; empty if lengths were given
 
   // The halfedges to the right of sharp corners, whose faces may be thin; by block of vertices.
   std::vector<std::vector<Index>> sharp_corners;
@@ -125,23 +127,73 @@ Space_vector double_point(const Point_3& p, const Traits& traits)
           CGAL::to_double(traits.compute_z_3_object()(p))};
 }
 
-// Scales points, and returns their new unit.
-template <typename Connectivity>
-double
-scale_points(std::vector<Space_vector>& points, const Connectivity& connectivity, const Loop& loop)
+// The points of a mesh, by the index of the vertex; none if lengths are given.
+struct Mesh_points
 {
-  double extent = 0;
-  for(Index v = 0; v < points.size(); ++v)
-    if(connectivity.degree(v) > 0) // isolated vertices do not affect lengths
-      for(const double coordinate : points[v])
-        extent = (std::max)(extent, std::abs(coordinate));
-  const Scale scale(extent);
-  loop.run_blocks(points.size(), [&](const std::size_t first, const std::size_t beyond) {
+  Points of_vertex;
+  double extent = 0;                 // without isolated vertices, which do not affect lengths
+  Index first_infinite = null_index; // the vertex
+};
+
+// Reads the points of vertices that are in the order of their indices, as the adjacency is. Those
+// of null vertices are zero.
+template <typename TriangleMesh, typename Vertices, typename NamedParameters>
+Mesh_points read_points(const TriangleMesh& tmesh,
+                        const Vertices& vertices,
+                        const Vertex_adjacency& adjacency,
+                        const NamedParameters& np)
+{
+  Mesh_points result;
+  if constexpr(!is_given<NamedParameters, internal_np::edge_length_t>)
+  { // not instantiated for meshes without points
+    using Traits = typename GetGeomTraits<TriangleMesh, NamedParameters>::type;
+    const Traits traits = parameters::choose_parameter<Traits>(
+        parameters::get_parameter(np, internal_np::geom_traits));
+    const auto point_map = vertex_point_map(tmesh, np);
+    Space_vector extent{}; // independent maxima
+    reserve_huge_pages(result.of_vertex, vertices.size());
+    for(Index i = 0; i < vertices.size(); ++i)
+    {
+      const bool is_removed = vertices[i] == boost::graph_traits<TriangleMesh>::null_vertex();
+      const Space_vector p =
+          is_removed ? Space_vector{} : double_point(get(point_map, vertices[i]), traits);
+      result.of_vertex.push_back(p);
+      if(!std::isfinite(p[0]) || !std::isfinite(p[1]) || !std::isfinite(p[2]))
+        result.first_infinite = (std::min)(result.first_infinite, i);
+      if(adjacency.degree(i) > 0)
+        for(std::size_t k = 0; k < 3; ++k)
+          extent[k] = (std::max)(extent[k], std::abs(p[k]));
+    }
+    result.extent = (std::max)({extent[0], extent[1], extent[2]});
+  }
+  return result;
+}
+
+// Returns the unit and the points, in the order of the connectivity, but no lengths yet.
+template <typename Connectivity>
+Edge_lengths
+scale_points(Mesh_points mesh_points, const Connectivity& connectivity, const Loop& loop)
+{
+  if(mesh_points.first_infinite != null_index)
+    reject("vertex " + std::to_string(mesh_points.first_infinite) +
+           " has a coordinate that is infinite or not a number");
+  constexpr bool has_new_order = std::is_same_v<Connectivity, Intrinsic_triangulation>;
+  const Scale scale(mesh_points.extent);
+  Points points = std::move(mesh_points.of_vertex), other;
+  if constexpr(has_new_order)
+    resize_in_huge_pages(other, connectivity.number_of_vertices());
+  Points& ordered = has_new_order ? other : points;
+  loop.run_blocks(ordered.size(), [&](const std::size_t first, const std::size_t beyond) {
     for(std::size_t v = first; v < beyond; ++v)
-      for(double& coordinate : points[v])
-        coordinate = scale.reduce(coordinate);
+    {
+      const Space_vector& p = points[connectivity.index(static_cast<Index>(v))];
+      ordered[v] = {scale.reduce(p[0]), scale.reduce(p[1]), scale.reduce(p[2])};
+    }
   });
-  return scale.unit();
+  Edge_lengths result;
+  result.unit = scale.unit();
+  result.points = std::move(ordered);
+  return result;
 }
 
 /*
@@ -267,7 +319,7 @@ inline std::vector<Index> find_thin_faces(const std::vector<std::vector<Index>>&
 
 // Computes the shapes of these faces. `points` are the vertices in the unit of the triangulation.
 inline Thin_faces thin_faces(const std::vector<std::vector<Index>>& sharp_corners,
-                             const std::vector<Space_vector>& points,
+                             const Points& points,
                              const Intrinsic_triangulation& triangulation,
                              const Loop& loop)
 {
@@ -290,19 +342,18 @@ inline Thin_faces thin_faces(const std::vector<std::vector<Index>>& sharp_corner
 
 // Computes lengths from points, and, for an `Intrinsic_triangulation`, which faces may be thin.
 template <typename Connectivity>
-Edge_lengths straight_lengths(std::vector<Space_vector> points,
-                              const Connectivity& connectivity,
-                              const Loop& loop)
+Edge_lengths
+straight_lengths(Mesh_points points, const Connectivity& connectivity, const Loop& loop)
 {
-  Edge_lengths result;
-  result.unit = scale_points(points, connectivity, loop);
+  Edge_lengths result = scale_points(std::move(points), connectivity, loop);
   resize_in_huge_pages(result.of_halfedge, connectivity.number_of_halfedges());
   constexpr bool finds_corners = std::is_same_v<Connectivity, Intrinsic_triangulation>;
-  result.sharp_corners.resize(points.size() / Loop::SIZE_OF_BLOCK + 1);
-  loop.run_blocks(points.size(), [&](const std::size_t first, const std::size_t beyond) {
+  const std::size_t size = result.points.size();
+  result.sharp_corners.resize(size / Loop::SIZE_OF_BLOCK + 1);
+  loop.run_blocks(size, [&](const std::size_t first, const std::size_t beyond) {
     [[maybe_unused]] std::vector<Index>& share = result.sharp_corners[first / Loop::SIZE_OF_BLOCK];
     const Connectivity& c = connectivity; // these three stay in registers
-    const Space_vector* const point = points.data();
+    const Space_vector* const point = result.points.data();
     double* const lengths = result.of_halfedge.data();
     for(Index v = static_cast<Index>(first); v < beyond; ++v)
     {
@@ -326,7 +377,6 @@ Edge_lengths straight_lengths(std::vector<Space_vector> points,
           add_if_sharp(last_side, first_side, share);
     }
   });
-  result.points = std::move(points);
   return result;
 }
 
@@ -347,55 +397,13 @@ void check_sum(const Edge_lengths& lengths, const Connectivity& connectivity)
            name);
 }
 
-// Reads the points of vertices that are in the order of their indices. Those of null vertices are
-// zero. Returns nothing if lengths are given.
-template <typename TriangleMesh, typename Vertices, typename NamedParameters>
-std::vector<Space_vector>
-read_points(const TriangleMesh& tmesh, const Vertices& vertices, const NamedParameters& np)
-{
-  std::vector<Space_vector> result;
-  if constexpr(!is_given<NamedParameters, internal_np::edge_length_t>)
-  { // not instantiated for meshes without points
-    using Traits = typename GetGeomTraits<TriangleMesh, NamedParameters>::type;
-    const Traits traits = parameters::choose_parameter<Traits>(
-        parameters::get_parameter(np, internal_np::geom_traits));
-    const auto point_map = vertex_point_map(tmesh, np);
-    reserve_huge_pages(result, vertices.size());
-    for(const auto v : vertices)
-    {
-      const bool is_removed = v == boost::graph_traits<TriangleMesh>::null_vertex();
-      result.push_back(is_removed ? Space_vector{} : double_point(get(point_map, v), traits));
-      for(const double coordinate : result.back())
-        if(!std::isfinite(coordinate))
-          reject("vertex " + std::to_string(result.size() - 1) +
-                 " has a coordinate that is infinite or not a number");
-    }
-  }
-  return result;
-}
-
-// Returns the points of these vertices.
-inline std::vector<Space_vector> select(const std::vector<Space_vector>& points,
-                                        const std::vector<Index>& vertices,
-                                        const Loop& loop)
-{
-  std::vector<Space_vector> result;
-  resize_in_huge_pages(result, vertices.size());
-  loop.run_blocks(vertices.size(), [&](const std::size_t first, const std::size_t beyond) {
-    for(std::size_t i = first; i < beyond; ++i)
-      result[i] = points[vertices[i]];
-  });
-  return result;
-}
-
-// Reads or computes the edge lengths of a mesh. `points` and `halfedges` have the order of the
-// connectivity.
+// Reads or computes the edge lengths of a mesh. `halfedges` have the order of the connectivity.
 template <typename TriangleMesh,
           typename Halfedges,
           typename NamedParameters,
           typename Connectivity>
 Edge_lengths read_edge_lengths([[maybe_unused]] const TriangleMesh& tmesh,
-                               [[maybe_unused]] std::vector<Space_vector> points,
+                               [[maybe_unused]] Mesh_points points,
                                [[maybe_unused]] const Halfedges& halfedges,
                                const NamedParameters& np,
                                const Connectivity& connectivity)

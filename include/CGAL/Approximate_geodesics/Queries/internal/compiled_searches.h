@@ -34,7 +34,7 @@
 namespace CGAL::Approximate_geodesics {
 
 CGAL_APPROXIMATE_GEODESICS_INSTANTIATION template internal::Edge_lengths
-internal::straight_lengths(std::vector<Space_vector>, const Intrinsic_triangulation&, const Loop&);
+internal::straight_lengths(Mesh_points, const Intrinsic_triangulation&, const Loop&);
 CGAL_APPROXIMATE_GEODESICS_GRAPH(Lazy_discrete_geodesic_graph)
 CGAL_APPROXIMATE_GEODESICS_GRAPH(Saddle_vertex_graph)
 CGAL_APPROXIMATE_GEODESICS_SEARCH(Edge_graph)

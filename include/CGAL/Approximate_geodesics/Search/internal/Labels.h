@@ -36,7 +36,7 @@ public:
     reserve_huge_pages(m_distance, number_of_nodes);
     m_distance.resize(number_of_nodes, infinity);
     resize_in_huge_pages(m_predecessor, number_of_nodes);
-    m_order.reserve(number_of_nodes + number_of_nodes / 16); // for those expanded twice
+    reserve_huge_pages(m_order, number_of_nodes + number_of_nodes / 16); // for those expanded twice
   }
 
   std::size_t number_of_nodes() const { return m_distance.size(); }

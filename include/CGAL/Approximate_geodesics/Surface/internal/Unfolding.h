@@ -95,22 +95,23 @@ public:
   explicit Unfolded_faces(const Intrinsic_triangulation& triangulation, const Loop& loop = Loop())
   {
     resize_in_huge_pages(m_faces, triangulation.number_of_halfedges());
-    std::atomic<bool> is_any_suspicious(false);
+    std::atomic<bool> is_any_without_shape(false);
     loop.run_blocks(
         triangulation.number_of_vertices(), [&](const std::size_t first, const std::size_t beyond) {
           const Intrinsic_triangulation& t = triangulation; // these two are kept in registers
           Face* const faces = m_faces.data();
-          bool is_suspicious = false;
+          bool is_without_shape = false;
           for(Index v = static_cast<Index>(first); v < beyond; ++v)
             for(Index h = t.first_halfedge(v); h < t.beyond_halfedge(v); ++h)
             {
               faces[h] = Face::of(t, v, h);
-              is_suspicious = is_suspicious || !(faces[h].across > 0);
+              if(!(faces[h].across > 0) && !t.is_border(h) && !t.has_shape(h))
+                is_without_shape = true; // such a face has no area
             }
-          if(is_suspicious)
-            is_any_suspicious = true;
+          if(is_without_shape)
+            is_any_without_shape = true;
         });
-    if(is_any_suspicious) // a face that violates the triangle inequality has no area
+    if(is_any_without_shape)
       triangulation.check_triangle_inequality();
   }
 

@@ -36,17 +36,10 @@ inline double area_of_triangle(const double a, const double b, const double c)
   return product > 0 ? std::sqrt(product) / 4 : 0; // rounded lengths can be too long for a triangle
 }
 
-// Looks for the face to the left of `h`, whose sides have these lengths, among the thin ones. Not
-// inlined: most meshes have no thin faces, and a call keeps loops fast.
+// Not inlined: few faces are thin, and a call keeps loops fast.
 BOOST_NOINLINE inline std::optional<Thin_face>
-find_thin_face(const Intrinsic_triangulation& triangulation,
-               const Index h,
-               const double a,
-               const double b,
-               const double c)
+find_thin_face(const Intrinsic_triangulation& triangulation, const Index h)
 {
-  if(!Thin_faces::is_thin(a, b, c))
-    return std::nullopt;
   return triangulation.thin_faces().find(triangulation.halfedges_of_face(h));
 }
 
@@ -59,9 +52,9 @@ inline std::optional<Thin_face> thin_face(const Intrinsic_triangulation& triangu
                                           const double b,
                                           const double c)
 {
-  if(triangulation.thin_faces().is_empty())
+  if(triangulation.thin_faces().is_empty() || !Thin_faces::is_thin(a, b, c))
     return std::nullopt;
-  return find_thin_face(triangulation, h, a, b, c);
+  return find_thin_face(triangulation, h);
 }
 
 /*

@@ -14,6 +14,7 @@
 #include <array>
 #include <cstddef>
 #include <cstdint>
+#include <cstring>
 #include <limits>
 #include <optional>
 #include <unordered_map>
@@ -38,7 +39,7 @@ class Opposite_ranks
 public:
   void resize(const std::size_t number_of_halfedges)
   {
-    resize_in_huge_pages(m_rank, number_of_halfedges);
+    resize_in_huge_pages(m_rank, number_of_halfedges + SIZE_OF_COPY - 1);
   }
 
   Index rank_of_opposite(const Index h) const
@@ -58,14 +59,15 @@ public:
   }
 
   // Copies the ranks of `number` halfedges of `other`, starting at `first`, to those starting at
-  // `h`.
+  // `h`. What is behind these is lost.
   void copy(const Opposite_ranks& other, const Index first, const Index number, const Index h)
   {
-    if(other.m_large_rank.empty())
-      std::copy_n(other.m_rank.data() + first, number, m_rank.data() + h);
-    else
+    if(!other.m_large_rank.empty())
       for(Index i = 0; i < number; ++i)
         set(h + i, other.rank_of_opposite(first + i));
+    else
+      for(Index i = 0; i < number; i += SIZE_OF_COPY)
+        std::memcpy(m_rank.data() + h + i, other.m_rank.data() + first + i, SIZE_OF_COPY);
   }
 
   void prefetch(const Index h) const { internal::prefetch(m_rank.data(), h); }
@@ -78,6 +80,7 @@ public:
 
 private:
   static constexpr std::uint8_t LARGE = 255;
+  static constexpr std::size_t SIZE_OF_COPY = 8; // at once
 
   std::vector<std::uint8_t> m_rank;
   std::unordered_map<Index, Index> m_large_rank;
@@ -116,10 +119,14 @@ struct Vertex_adjacency
 // The connectivity of a mesh: the same arrays as in an `Intrinsic_triangulation`.
 struct Connectivity : Vertex_adjacency
 {
-  bool has_border() const { return 3 * number_of_faces < number_of_halfedges(); }
+  // Around its source.
+  struct Border_halfedge
+  {
+    Index source, rank;
+  };
 
   Opposite_ranks opposite_rank;
-  std::vector<bool> is_border; // per halfedge, or empty if there is no border
+  std::vector<Border_halfedge> border;
   std::size_t number_of_faces = 0;
 };
 
