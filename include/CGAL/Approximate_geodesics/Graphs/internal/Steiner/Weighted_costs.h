@@ -33,9 +33,6 @@ public:
   // whether opposite directions have the same cost
   static constexpr bool are_symmetric = true;
 
-  // whether narrow arcs across faces may be left out
-  static constexpr bool has_narrow_arcs = true;
-
   // Weights of edges are not stored.
   struct Edges
   {
