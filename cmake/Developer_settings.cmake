@@ -46,7 +46,9 @@ else()
   message(STATUS "NOTICE: CGAL's sample meshes were not found; set CGAL_DATA_DIR to use them.")
 endif()
 
-# Lets a target that has these settings compile headers for all those that reuse them from it.
+# Lets a target that has these settings compile headers for all those that reuse them from it. CMake makes
+# system headers of them, without warnings, unless this variable of its own is empty.
+set(CMAKE_PCH_PROLOGUE "")
 function(add_precompiled_headers target settings)
   file(CONFIGURE OUTPUT ${target}.cpp CONTENT "")
   add_library(${target} OBJECT ${CMAKE_CURRENT_BINARY_DIR}/${target}.cpp)

@@ -1,9 +1,12 @@
-"""Builds the module by CMake, which knows where CGAL is; and source distributions, to which the
-headers are added, as they lie outside this folder. Version and description are those of the library's
-CMakeLists.txt; license, authors and keywords those of its CITATION.cff."""
+"""Builds the module by CMake, which knows where CGAL is, with the options of the variable CMAKE_ARGS; and
+source distributions, to which the headers are added, as they lie outside this folder. Version and
+description are those of the library's CMakeLists.txt; license, authors and keywords those of its
+CITATION.cff."""
 
+import os
 import pathlib
 import re
+import shlex
 import shutil
 import subprocess
 import sys
@@ -26,6 +29,7 @@ class BuildByCMake(build_ext):
                 "cmake", "-S", SOURCE, "-B", build, "-DCMAKE_BUILD_TYPE=Release",
                 f"-DPython_EXECUTABLE={sys.executable}",
                 f"-DAPPROXIMATE_GEODESICS_PYTHON_MODULE_DIR={folder}",
+                *shlex.split(os.environ.get("CMAKE_ARGS", "")),
             ],
             check=True,
         )

@@ -18,6 +18,7 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <cstddef>
 #include <sstream>
@@ -278,18 +279,23 @@ TEST(Needles, have_the_bound)
     const Triangulation t(to_mesh(m.soup));
     const AG::Saddle_vertex_graph exact_graph(t);
     AG::Propagation<AG::Saddle_vertex_graph> search(exact_graph);
-    for(const std::size_t i : {std::size_t(0), m.soup.points.size() / 3})
+    const std::array<Node, 2> sources{t.vertex(0), t.vertex(m.soup.points.size() / 3)};
+    std::array<std::vector<double>, 2> exact;
+    for(std::size_t i = 0; i < 2; ++i)
     {
-      search.run_from(t.vertex(i));
-      std::vector<double> exact;
+      search.run_from(sources[i]);
       for(Node v = 0; v < t.number_of_vertices(); ++v)
-        exact.push_back(search.distance(v));
-      for(const double e : {1., 0.3, 0.1, 0.01})
+        exact[i].push_back(search.distance(v));
+    }
+    for(const double e : {1., 0.3, 0.1, 0.01})
+    {
+      const Discrete_geodesic_graph built(t, epsilon(e));
+      const Lazy_discrete_geodesic_graph lazy(t, epsilon(e));
+      EXPECT_TRUE(built.is_valid());
+      for(std::size_t i = 0; i < 2; ++i)
       {
-        const Discrete_geodesic_graph built(t, epsilon(e));
-        EXPECT_TRUE(built.is_valid());
-        expect_bound(built, t.vertex(i), exact, e);
-        expect_bound(Lazy_discrete_geodesic_graph(t, epsilon(e)), t.vertex(i), exact, e);
+        expect_bound(built, sources[i], exact[i], e);
+        expect_bound(lazy, sources[i], exact[i], e);
       }
     }
   }

@@ -162,10 +162,11 @@ TEST(Part_of_mesh, has_all_other_results)
     }
     else
     {
-      ++number_of_reached;
       ASSERT_TRUE(source[v.idx()] >= 0 && source[v.idx()] < 3);
       const Vertex from = sources[std::size_t(source[v.idx()])];
-      expect_same_length(length_of_path(mesh, from, v, without_part(0)), distances[v.idx()], mesh);
+      if(number_of_reached++ % 4 == 0) // as each path reads the whole mesh
+        expect_same_length(length_of_path(mesh, from, v, without_part(0)), distances[v.idx()],
+                           mesh);
       EXPECT_LE(distances[before[v.idx()].idx()], distances[v.idx()]);
     }
   EXPECT_GT(number_of_reached, 50u);

@@ -170,9 +170,9 @@ TYPED_TEST(Ordered_queues, agree_with_a_sorted_container)
     SCOPED_TRACE(arcs.longest);
     Random random(test_seed());
     Checked_ordered_queue<TypeParam> queue(arcs);
-    for(std::size_t run = 0; run < 8; ++run)
+    for(std::size_t run = 0; run < 5; ++run)
     {
-      std::size_t pushes_left = 1500;
+      std::size_t pushes_left = 1000;
       for(Node n = 0; n < 20; ++n)
         queue.push(n, 3 * random_gap(arcs, random)); // sources, in any order
       while(!queue.is_empty())

@@ -181,30 +181,20 @@ private:
     const Face left_face = m_triangulation.halfedges_of_face(left.halfedge);
     const bool has_left = m_triangulation.is_open(left.halfedge);
     if(!has_right)
-      return expand_crossed_face(left, left_face, origin, true, labels, f);
+      return m_costs.expand_back(left, left_face, origin, labels, f);
     const Face right_face =
         m_triangulation.halfedges_of_face(m_triangulation.opposite(left.halfedge));
+    const Viewpoint right = left.reversed(right_face[0]);
     const bool comes_from_right = is_opposite(origin, right_face);
-    if(has_left)
-      expand_crossed_face(left, left_face, origin, !comes_from_right, labels, f);
+    if(has_left && comes_from_right)
+      m_costs.expand_face(left, left_face, labels, f);
+    else if(has_left)
+      m_costs.expand_back(left, left_face, origin, labels, f);
     // two faces can have several edges in common
-    const bool comes_from_both = comes_from_right && has_left && is_opposite(origin, left_face);
-    expand_crossed_face(left.reversed(right_face[0]), right_face, origin,
-                        comes_from_right && !comes_from_both, labels, f);
-  }
-
-  template <typename Labels, typename F>
-  void expand_crossed_face(const Viewpoint& view,
-                           const Face& face,
-                           const Node origin,
-                           const bool comes_from_here,
-                           const Labels& labels,
-                           F& f) const
-  {
-    if(!comes_from_here)
-      m_costs.expand_face(view, face, labels, f);
-    else if constexpr(Costs::has_narrow_arcs)
-      m_costs.expand_back(view, face, origin, labels, f);
+    if(comes_from_right && !(has_left && is_opposite(origin, left_face)))
+      m_costs.expand_back(right, right_face, origin, labels, f);
+    else
+      m_costs.expand_face(right, right_face, labels, f);
   }
 
   // Returns the viewpoint of `p`, on the edge whose first halfedge is `h`.

@@ -40,6 +40,169 @@ void make_symmetric(T* const distances, const std::size_t size, const std::size_
         }
 }
 
+/*
+ * The entries of a block of rows of a sparse matrix, row by row.
+ */
+template <typename T>
+struct Sparse_block
+{
+  using Column = Distance_row::Column;
+
+  std::vector<std::size_t> rows;
+  std::vector<std::uint32_t> numbers_of_entries; // by row
+  std::vector<Column> columns;
+  std::vector<T> distances;
+
+  void append(const std::size_t row,
+              const std::vector<Column>& columns_of_row,
+              const Distance_row& distances_of_row)
+  {
+    rows.push_back(row);
+    numbers_of_entries.push_back(static_cast<std::uint32_t>(columns_of_row.size()));
+    columns.insert(columns.end(), columns_of_row.begin(), columns_of_row.end());
+    for(const Column column : columns_of_row)
+      distances.push_back(static_cast<T>(distances_of_row[column]));
+  }
+
+  void clear()
+  {
+    rows.clear();
+    numbers_of_entries.clear();
+    columns.clear();
+    distances.clear();
+  }
+};
+
+/*
+ * A sparse matrix in compressed sparse row format.
+ */
+template <typename T>
+struct Compressed_rows
+{
+  using Column = Distance_row::Column;
+
+  std::vector<std::size_t> starts{0}; // of the entries by row, and the end
+  std::unique_ptr<Column[]> columns;
+  std::unique_ptr<T[]> distances;
+
+  Compressed_rows() = default;
+
+  // Concatenates blocks, whose rows may be in any order. Each block is freed after it was copied,
+  // which limits peak memory.
+  Compressed_rows(const std::size_t number_of_rows, std::vector<Sparse_block<T>>& blocks)
+    : starts(number_of_rows + 1, 0)
+  {
+    for(const Sparse_block<T>& block : blocks)
+      for(std::size_t i = 0; i < block.rows.size(); ++i)
+        starts[block.rows[i] + 1] = block.numbers_of_entries[i];
+    allocate();
+    for(Sparse_block<T>& block_of_rows : blocks)
+    {
+      const Sparse_block<T> block = std::exchange(block_of_rows, Sparse_block<T>());
+      std::size_t from = 0;
+      for(std::size_t i = 0; i < block.rows.size(); ++i)
+      {
+        const std::size_t start = starts[block.rows[i]], number = block.numbers_of_entries[i];
+        std::copy_n(block.columns.data() + from, number, columns.get() + start);
+        std::copy_n(block.distances.data() + from, number, distances.get() + start);
+        from += number;
+      }
+    }
+  }
+
+  // Replaces each distance and its transpose by the smaller of the two. The result has an entry if
+  // either exists.
+  // \pre Columns ascend, and the matrix is square.
+  void make_symmetric()
+  {
+    const std::size_t number_of_rows = starts.size() - 1;
+    const Compressed_rows other = collected(number_of_rows, [&](const auto& add) {
+      for(std::size_t row = 0; row < number_of_rows; ++row)
+        for(std::size_t i = starts[row]; i < starts[row + 1]; ++i)
+          add(columns[i], static_cast<Column>(row), distances[i]);
+    });
+    *this = collected(number_of_rows, [&](const auto& add) { for_each_of_both(other, add); });
+  }
+
+private:
+  // \pre Each start except the first one is the number of entries of the previous row.
+  void allocate()
+  {
+    std::partial_sum(starts.begin(), starts.end(), starts.begin());
+    columns.reset(new Column[starts.back()]);
+    distances.reset(new T[starts.back()]);
+  }
+
+  // Returns a matrix with the entries for which `for_each(add)` calls `add(row, column, distance)`.
+  template <typename ForEach>
+  static Compressed_rows collected(const std::size_t number_of_rows, const ForEach& for_each)
+  {
+    Compressed_rows result;
+    result.starts.assign(number_of_rows + 1, 0);
+    for_each([&](const std::size_t row, Column, T) { ++result.starts[row + 1]; });
+    result.allocate();
+    std::vector<std::size_t> next = result.starts;
+    for_each([&](const std::size_t row, const Column column, const T distance) {
+      result.columns[next[row]] = column;
+      result.distances[next[row]++] = distance;
+    });
+    return result;
+  }
+
+  // Calls `f(row, column, distance)` for the union of the entries of both matrices, with the
+  // smaller distance.
+  template <typename F>
+  void for_each_of_both(const Compressed_rows& other, F f) const
+  {
+    constexpr Column no_column = (std::numeric_limits<Column>::max)();
+    for(std::size_t row = 0; row + 1 < starts.size(); ++row)
+    {
+      std::size_t i = starts[row], j = other.starts[row];
+      while(i < starts[row + 1] || j < other.starts[row + 1])
+      {
+        const Column here = i < starts[row + 1] ? columns[i] : no_column;
+        const Column there = j < other.starts[row + 1] ? other.columns[j] : no_column;
+        T distance = std::numeric_limits<T>::infinity();
+        if(here <= there)
+          distance = distances[i++];
+        if(there <= here)
+          distance = (std::min)(distance, other.distances[j++]);
+        f(row, (std::min)(here, there), distance);
+      }
+    }
+  }
+};
+
+inline std::size_t checked_number_of_nearest(const std::size_t number)
+{
+  if(number == 0)
+    reject("the number of nearest columns is 0; it must be at least 1");
+  return number;
+}
+
+// Returns the `number` nearest columns, sorted by distance, then by column.
+inline std::vector<Distance_row::Column> nearest_columns(const Distance_row& row,
+                                                         const std::size_t number)
+{
+  using Entry = std::pair<double, Distance_row::Column>;
+  std::vector<Entry> entries;
+  entries.reserve(row.reached().size());
+  for(const auto column : row.reached())
+    entries.emplace_back(row[column], column);
+  if(number < entries.size())
+  {
+    const auto end = entries.begin() + static_cast<std::ptrdiff_t>(number);
+    std::nth_element(entries.begin(), end, entries.end());
+    entries.erase(end, entries.end());
+  }
+  std::sort(entries.begin(), entries.end());
+  std::vector<Distance_row::Column> result;
+  result.reserve(entries.size());
+  for(const Entry& entry : entries)
+    result.push_back(entry.second);
+  return result;
+}
+
 } // namespace internal
 
 /*!
@@ -160,144 +323,6 @@ private:
   std::size_t m_rows_to_come = 0;
   bool m_is_symmetric = false;
 };
-
-namespace internal {
-
-/*
- * The entries of a block of rows of a sparse matrix, row by row.
- */
-template <typename T>
-struct Sparse_block
-{
-  using Column = Distance_row::Column;
-
-  std::vector<std::size_t> rows;
-  std::vector<std::uint32_t> numbers_of_entries; // by row
-  std::vector<Column> columns;
-  std::vector<T> distances;
-
-  void append(const std::size_t row,
-              const std::vector<Column>& columns_of_row,
-              const Distance_row& distances_of_row)
-  {
-    rows.push_back(row);
-    numbers_of_entries.push_back(static_cast<std::uint32_t>(columns_of_row.size()));
-    columns.insert(columns.end(), columns_of_row.begin(), columns_of_row.end());
-    for(const Column column : columns_of_row)
-      distances.push_back(static_cast<T>(distances_of_row[column]));
-  }
-
-  void clear()
-  {
-    rows.clear();
-    numbers_of_entries.clear();
-    columns.clear();
-    distances.clear();
-  }
-};
-
-/*
- * A sparse matrix in compressed sparse row format.
- */
-template <typename T>
-struct Compressed_rows
-{
-  using Column = Distance_row::Column;
-
-  std::vector<std::size_t> starts{0}; // of the entries by row, and the end
-  std::unique_ptr<Column[]> columns;
-  std::unique_ptr<T[]> distances;
-
-  Compressed_rows() = default;
-
-  // Concatenates blocks, whose rows may be in any order. Each block is freed after it was copied,
-  // which limits peak memory.
-  Compressed_rows(const std::size_t number_of_rows, std::vector<Sparse_block<T>>& blocks)
-    : starts(number_of_rows + 1, 0)
-  {
-    for(const Sparse_block<T>& block : blocks)
-      for(std::size_t i = 0; i < block.rows.size(); ++i)
-        starts[block.rows[i] + 1] = block.numbers_of_entries[i];
-    allocate();
-    for(Sparse_block<T>& block_of_rows : blocks)
-    {
-      const Sparse_block<T> block = std::exchange(block_of_rows, Sparse_block<T>());
-      std::size_t from = 0;
-      for(std::size_t i = 0; i < block.rows.size(); ++i)
-      {
-        const std::size_t start = starts[block.rows[i]], number = block.numbers_of_entries[i];
-        std::copy_n(block.columns.data() + from, number, columns.get() + start);
-        std::copy_n(block.distances.data() + from, number, distances.get() + start);
-        from += number;
-      }
-    }
-  }
-
-  // Replaces each distance and its transpose by the smaller of the two. The result has an entry if
-  // either exists.
-  // \pre Columns ascend, and the matrix is square.
-  void make_symmetric()
-  {
-    const std::size_t number_of_rows = starts.size() - 1;
-    const Compressed_rows other = collected(number_of_rows, [&](const auto& add) {
-      for(std::size_t row = 0; row < number_of_rows; ++row)
-        for(std::size_t i = starts[row]; i < starts[row + 1]; ++i)
-          add(columns[i], static_cast<Column>(row), distances[i]);
-    });
-    *this = collected(number_of_rows, [&](const auto& add) { for_each_of_both(other, add); });
-  }
-
-private:
-  // \pre Each start except the first one is the number of entries of the previous row.
-  void allocate()
-  {
-    std::partial_sum(starts.begin(), starts.end(), starts.begin());
-    columns.reset(new Column[starts.back()]);
-    distances.reset(new T[starts.back()]);
-  }
-
-  // Returns a matrix with the entries for which `for_each(add)` calls `add(row, column, distance)`.
-  template <typename ForEach>
-  static Compressed_rows collected(const std::size_t number_of_rows, const ForEach& for_each)
-  {
-    Compressed_rows result;
-    result.starts.assign(number_of_rows + 1, 0);
-    for_each([&](const std::size_t row, Column, T) { ++result.starts[row + 1]; });
-    result.allocate();
-    std::vector<std::size_t> next = result.starts;
-    for_each([&](const std::size_t row, const Column column, const T distance) {
-      result.columns[next[row]] = column;
-      result.distances[next[row]++] = distance;
-    });
-    return result;
-  }
-
-  // Calls `f(row, column, distance)` for the union of the entries of both matrices, with the
-  // smaller distance.
-  template <typename F>
-  void for_each_of_both(const Compressed_rows& other, F f) const
-  {
-    for(std::size_t row = 0; row + 1 < starts.size(); ++row)
-    {
-      std::size_t i = starts[row], j = other.starts[row];
-      while(i < starts[row + 1] || j < other.starts[row + 1])
-      {
-        const bool has_i = i < starts[row + 1], has_j = j < other.starts[row + 1];
-        const bool takes_i = has_i && !(has_j && other.columns[j] < columns[i]);
-        const bool takes_j = has_j && !(has_i && columns[i] < other.columns[j]);
-        const Column column = takes_i ? columns[i] : other.columns[j];
-        const T distance = takes_i && takes_j ? (std::min)(distances[i], other.distances[j])
-                           : takes_i          ? distances[i]
-                                              : other.distances[j];
-        f(row, column, distance);
-        i += takes_i;
-        j += takes_j;
-      }
-    }
-  }
-};
-
-} // namespace internal
 
 /*!
  * \ingroup PkgApproximateGeodesicsMatrices
@@ -425,40 +450,6 @@ public:
 
   /// @}
 };
-
-namespace internal {
-
-inline std::size_t checked_number_of_nearest(const std::size_t number)
-{
-  if(number == 0)
-    reject("the number of nearest columns is 0; it must be at least 1");
-  return number;
-}
-
-// Returns the `number` nearest columns, sorted by distance, then by column.
-inline std::vector<Distance_row::Column> nearest_columns(const Distance_row& row,
-                                                         const std::size_t number)
-{
-  using Entry = std::pair<double, Distance_row::Column>;
-  std::vector<Entry> entries;
-  entries.reserve(row.reached().size());
-  for(const auto column : row.reached())
-    entries.emplace_back(row[column], column);
-  if(number < entries.size())
-  {
-    const auto end = entries.begin() + static_cast<std::ptrdiff_t>(number);
-    std::nth_element(entries.begin(), end, entries.end());
-    entries.erase(end, entries.end());
-  }
-  std::sort(entries.begin(), entries.end());
-  std::vector<Distance_row::Column> result;
-  result.reserve(entries.size());
-  for(const Entry& entry : entries)
-    result.push_back(entry.second);
-  return result;
-}
-
-} // namespace internal
 
 /*!
  * \ingroup PkgApproximateGeodesicsMatrices

@@ -190,18 +190,11 @@ public:
     return number(halfedge(f, *m_mesh));
   }
 
-  /// returns the point at a face location.
-  template <typename FT>
-  Intrinsic_point
-  intrinsic_point(const std::pair<face_descriptor, std::array<FT, 3>>& location) const
+  /// returns the point at a face location, or at a parameter along a halfedge.
+  template <typename Element, typename Coordinates>
+  Intrinsic_point intrinsic_point(const std::pair<Element, Coordinates>& location) const
   {
     return intrinsic_point(location.first, location.second);
-  }
-
-  /// returns the point at a parameter along a halfedge.
-  Intrinsic_point intrinsic_point(const std::pair<halfedge_descriptor, double>& point) const
-  {
-    return intrinsic_point(point.first, point.second);
   }
 
   /// converts a point of the surface.

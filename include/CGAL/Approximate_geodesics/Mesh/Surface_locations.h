@@ -23,6 +23,7 @@
 #include <array>
 #include <cmath>
 #include <cstddef>
+#include <type_traits>
 #include <utility>
 #include <variant>
 
@@ -171,10 +172,6 @@ Face_location<TriangleMesh> locate(const Ray_3<Kernel>& ray,
   return result;
 }
 
-// Detects the traits of CGAL's exact class, passed by mistake in place of the mesh.
-template <typename T>
-using Member_of_exact_traits = typename T::Compute_parametric_distance_along_segment_2;
-
 } // namespace internal
 
 /*!
@@ -189,7 +186,10 @@ using Member_of_exact_traits = typename T::Compute_parametric_distance_along_seg
 template <typename TriangleMesh>
 class Surface_locations
 {
-  static_assert(!boost::is_detected_v<internal::Member_of_exact_traits, TriangleMesh>,
+  static constexpr bool is_mesh = !internal::is_valid<const TriangleMesh&>(
+      [](auto& t) ->
+      typename std::decay_t<decltype(t)>::Compute_parametric_distance_along_segment_2 {});
+  static_assert(is_mesh,
                 "the first template argument is the mesh, not the traits of the exact class");
 
   using Graph_traits = boost::graph_traits<TriangleMesh>;

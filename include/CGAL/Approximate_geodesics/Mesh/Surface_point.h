@@ -8,12 +8,12 @@
 
 #include <CGAL/license/Approximate_geodesics.h>
 
+#include <CGAL/Approximate_geodesics/Base/Geodesic_run_base.h>
 #include <CGAL/Approximate_geodesics/Base/internal/messages.h>
 #include <CGAL/number_utils.h>
 
 #include <boost/graph/graph_traits.hpp>
 #include <boost/type_traits/detected_or.hpp>
-#include <boost/type_traits/is_detected.hpp>
 
 #include <algorithm>
 #include <array>
@@ -84,10 +84,6 @@ template <typename TriangleMesh, typename T>
 constexpr bool is_source =
     is_surface_point<TriangleMesh, T> || is_surface_point<TriangleMesh, Element_of_range<T>>;
 
-template <typename TriangleMesh, typename Descriptor>
-using Removal_of_element =
-    decltype(std::declval<const TriangleMesh&>().is_removed(std::declval<Descriptor>()));
-
 // Whether a descriptor is not null, in range and not marked as removed, as far as the mesh type can
 // tell.
 template <typename TriangleMesh, typename Descriptor, typename Size>
@@ -99,7 +95,8 @@ bool may_be_element(const Descriptor d,
   bool result = d != null;
   if constexpr(std::is_convertible_v<Descriptor, std::size_t>)
     result = result && static_cast<std::size_t>(d) < static_cast<std::size_t>(size);
-  if constexpr(boost::is_detected_v<Removal_of_element, TriangleMesh, Descriptor>)
+  if constexpr(is_valid<const TriangleMesh&>(
+                   [](auto& t) -> decltype(t.is_removed(std::declval<Descriptor>())) {}))
     result = result && !tmesh.is_removed(d);
   return result;
 }

@@ -12,8 +12,6 @@
 #include <CGAL/Approximate_geodesics/Graphs/internal/Steiner/Narrow_arcs.h>
 #include <CGAL/Approximate_geodesics/Graphs/internal/Steiner/Steiner_nodes.h>
 
-#include <boost/type_traits/is_detected.hpp>
-
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -48,8 +46,8 @@ public:
           between(m_places[t.source(h)], m_places[t.target(h)], graph.position(n).t));
     }
     using Placement = std::decay_t<decltype(graph.placement())>;
-    namespace Steiner = CGAL::Approximate_geodesics::internal;
-    if constexpr(boost::is_detected_v<Steiner::Tangent_of_narrow_arcs, Placement>)
+    if constexpr(CGAL::Approximate_geodesics::internal::is_valid<const Placement&>(
+                     [](auto& p) -> decltype(p.tangent_of_narrow_arcs()) {}))
       m_smallest_angle =
           std::atan(static_cast<long double>(graph.placement().tangent_of_narrow_arcs()));
     m_faces_of_node.resize(graph.number_of_nodes());

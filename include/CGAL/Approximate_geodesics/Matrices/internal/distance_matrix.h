@@ -110,7 +110,7 @@ bool wants_symmetry(const Graph& graph, const Matrix_points& points, const Named
   static_assert(!is_given<NamedParameters, internal_np::symmetric_t> || can_be_symmetric<Rows>,
                 "symmetric: only supported by sinks that keep all rows and columns: "
                 "Dense_rows, Radius_rows, Npy_file");
-  const auto& [rows, columns, are_columns_given] = points;
+  const auto &rows = points.sources, &columns = points.targets;
   const bool result =
       parameters::choose_parameter(parameters::get_parameter(np, internal_np::symmetric), false);
   const auto is_same = [&](const Intrinsic_point& p, const Intrinsic_point& q) {

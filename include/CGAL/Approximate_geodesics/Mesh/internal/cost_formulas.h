@@ -11,19 +11,11 @@
 #include <CGAL/Approximate_geodesics/Mesh/cost_functions.h>
 #include <CGAL/Approximate_geodesics/Surface/internal/Gauge_formula.h>
 
-#include <boost/type_traits/is_detected.hpp>
-
 #include <array>
 #include <cmath>
 #include <utility>
 
 namespace CGAL::Approximate_geodesics::internal {
-
-template <typename CostFunction, typename Face>
-using Has_formula =
-    decltype(std::declval<const CostFunction&>().formula(std::declval<const Face&>(),
-                                                         std::declval<const Space_vector&>(),
-                                                         std::declval<const Space_vector&>()));
 
 /*
  * The gauges of cost functions, as far as they are known in closed form, in the plane of a face
@@ -83,7 +75,9 @@ struct Cost_formulas
   Gauge_formula of([[maybe_unused]] const CostFunction& cost,
                    [[maybe_unused]] const Face& face) const
   {
-    if constexpr(boost::is_detected_v<Has_formula, CostFunction, Face>)
+    if constexpr(is_valid<const CostFunction&>(
+                     [](auto& f) -> decltype(f.formula(std::declval<const Face&>(), Space_vector(),
+                                                       Space_vector())) {}))
       return cost.formula(face, x, y);
     else
       return {};

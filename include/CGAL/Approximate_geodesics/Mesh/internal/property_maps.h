@@ -8,13 +8,13 @@
 
 #include <CGAL/license/Approximate_geodesics.h>
 
+#include <CGAL/Approximate_geodesics/Base/Geodesic_run_base.h>
 #include <CGAL/Approximate_geodesics/Base/internal/named_parameters.h>
 #include <CGAL/Approximate_geodesics/Base/internal/vector_3.h>
 #include <CGAL/Kernel_traits.h>
 #include <CGAL/boost/graph/named_params_helper.h>
 
 #include <boost/property_map/function_property_map.hpp>
-#include <boost/type_traits/is_detected.hpp>
 
 #include <functional>
 #include <utility>
@@ -52,12 +52,10 @@ auto vertex_point_map(const TriangleMesh& tmesh, const NamedParameters& np)
     return get_const_property_map(CGAL::vertex_point, tmesh);
 }
 
-template <typename Point>
-using Barycenter_of_kernel = typename Kernel_traits<Point>::Kernel::Construct_barycenter_3;
-
 // Whether the point type belongs to a kernel.
 template <typename Point>
-constexpr bool is_point_of_kernel = boost::is_detected_v<Barycenter_of_kernel, Point>;
+constexpr bool is_point_of_kernel = is_valid<Point>(
+    [](auto p) -> typename Kernel_traits<decltype(p)>::Kernel::Construct_barycenter_3 {});
 
 template <typename Vector_3>
 Space_vector space_vector(const Vector_3& v)
@@ -72,12 +70,10 @@ typename Kernel::Vector_3 vector_3(const Space_vector& v)
   return typename Kernel::Vector_3(FT(v[0]), FT(v[1]), FT(v[2]));
 }
 
-template <typename Map, typename Key>
-using Result_of_put = decltype(put(std::declval<Map&>(), std::declval<const Key&>(), double()));
-
 // Whether `Map` is a writable property map for distances.
 template <typename Map, typename Key>
-constexpr bool takes_distances = boost::is_detected_v<Result_of_put, Map, Key>;
+constexpr bool takes_distances =
+    is_valid<Map&>([](auto& map) -> decltype(put(map, std::declval<const Key&>(), double())) {});
 
 // A type-erased readable property map, so that the map type is not a template argument of classes
 // that store it.

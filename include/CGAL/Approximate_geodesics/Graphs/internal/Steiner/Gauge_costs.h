@@ -85,7 +85,6 @@ class Gauge_costs : public Steiner_view
 {
 public:
   static constexpr bool are_symmetric = false;
-  static constexpr bool has_narrow_arcs = false;
   using Edges = Edge_costs;
 
   Gauge_costs(const Intrinsic_triangulation& triangulation,
@@ -160,6 +159,12 @@ public:
     const Rival target = neighbor(view, true, side, labels);
     visit(h, at_target, worthwhile(h, at_target, self, target, source), f);
     visit(h, at_source, worthwhile(h, at_source, self, source, target), f);
+  }
+
+  // There are no arcs back across a face, as narrow ones are not left out.
+  template <typename Labels, typename F>
+  void expand_back(const Viewpoint&, const Face&, Node /* origin */, const Labels&, F&) const
+  {
   }
 
 private:

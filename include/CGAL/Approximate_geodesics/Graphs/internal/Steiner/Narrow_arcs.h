@@ -9,6 +9,7 @@
 #include <CGAL/license/Approximate_geodesics.h>
 
 #include <CGAL/Approximate_geodesics/Graphs/internal/Steiner/Point_row.h>
+#include <CGAL/Approximate_geodesics/Graphs/internal/Steiner/Steiner_nodes.h>
 #include <CGAL/Approximate_geodesics/Surface/internal/face_geometry.h>
 
 #include <algorithm>
@@ -70,6 +71,59 @@ private:
   const Point_row& m_side;
   const Point_row& m_row;
   double m_ratio; // from which on the angle is small
+};
+
+/*
+ * The points on the sides of faces of a Steiner graph, and those that narrow arcs would join.
+ */
+class Steiner_sides : public Steiner_view
+{
+protected:
+  using Steiner_view::Steiner_view;
+
+  // Returns the points of the edge of `h`, ranked from its source or its target.
+  Point_row
+  row(const Index h, const bool is_from_source, const Corner& corner, const double weight) const
+  {
+    const Index e = m_points.edge(h), first = m_points.first_point(e);
+    return {m_nodes.node_of_point(first),
+            m_points.number_of_points(e),
+            m_points.positions(first),
+            m_triangulation.length(h),
+            m_points.is_first(h) == is_from_source ? Index(0) : Index(1),
+            corner,
+            weight};
+  }
+
+  // Whether arcs between two sides of a face may be left out since they are narrow.
+  bool have_narrow_arcs(const Index a, const Index b) const
+  {
+    return m_nodes.tangent_of_narrow_arcs() > 0 &&
+           (std::min)(m_points.number_of_points(m_points.edge(a)),
+                      m_points.number_of_points(m_points.edge(b))) >= Narrow_arcs::SMALLEST_SIZE;
+  }
+
+  // Returns the range of ranks of the points on the third side of a face that `origin`, on the
+  // other side, has arcs to. They are ranked from the corner of the first side.
+  Ranks arcs_of_origin(const Face& face, const Node origin, const bool is_third_at_source) const
+  {
+    const Corner opposite = corner(face[2]);
+    const Point_row before = row(face[1], false, opposite, 1),
+                    behind = row(face[2], true, opposite, 1);
+    const Point_row& side = is_third_at_source ? before : behind;
+    const Point_row& third = is_third_at_source ? behind : before;
+    const Narrow_arcs narrow(opposite, m_nodes.tangent_of_narrow_arcs(), side, third);
+    const Index rank = side.rank(origin);
+    return {third.size - narrow.beyond(rank), third.size - narrow.first(rank)};
+  }
+
+  // Returns the corner at the source of `h`, which is the same to the last bit for both sides.
+  Corner corner(const Index h) const
+  {
+    const Index next = m_triangulation.next(h), last = m_triangulation.next(next);
+    return corner_of_face(m_triangulation, h, m_triangulation.length(h),
+                          m_triangulation.length(last), m_triangulation.length(next));
+  }
 };
 
 } // namespace CGAL::Approximate_geodesics::internal

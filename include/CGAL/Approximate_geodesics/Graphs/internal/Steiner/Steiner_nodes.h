@@ -11,8 +11,6 @@
 #include <CGAL/Approximate_geodesics/Graphs/internal/Steiner/limit_of_points.h>
 #include <CGAL/Approximate_geodesics/Surface/Intrinsic_point.h>
 
-#include <boost/type_traits/is_detected.hpp>
-
 #include <algorithm>
 #include <array>
 #include <cstddef>
@@ -280,9 +278,6 @@ private:
   std::vector<Index> m_first_halfedge;
 };
 
-template <typename Placement>
-using Tangent_of_narrow_arcs = decltype(std::declval<const Placement&>().tangent_of_narrow_arcs());
-
 /*
  * The nodes of a Steiner graph: the vertices, then the points on edges, then the sectors of divided
  * vertices. All member functions must be given the triangulation that the constructor was given.
@@ -313,7 +308,7 @@ public:
     if(m_points.number_of_points() > 0) // there are arcs across faces
       triangulation.check_triangle_inequality();
     m_maximum_degree = find_maximum_degree(triangulation);
-    if constexpr(boost::is_detected_v<Tangent_of_narrow_arcs, Placement>)
+    if constexpr(is_valid<const Placement&>([](auto& p) -> decltype(p.tangent_of_narrow_arcs()) {}))
       m_tangent_of_narrow_arcs = placement.tangent_of_narrow_arcs();
   }
 

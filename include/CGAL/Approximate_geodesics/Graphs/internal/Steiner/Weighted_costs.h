@@ -25,16 +25,13 @@ namespace CGAL::Approximate_geodesics::internal {
 /*
  * Costs in a Steiner graph: lengths times the weights of faces.
  */
-class Weighted_costs : public Steiner_view, public Line_weights
+class Weighted_costs : public Steiner_sides, public Line_weights
 {
   using Row = Point_row;
 
 public:
   // whether opposite directions have the same cost
   static constexpr bool are_symmetric = true;
-
-  // whether narrow arcs across faces may be left out
-  static constexpr bool has_narrow_arcs = true;
 
   // Weights of edges are not stored.
   struct Edges
@@ -50,7 +47,7 @@ public:
                  const Steiner_nodes& nodes,
                  const Edges& /* edges */,
                  const bool /* is_backward */)
-    : Steiner_view(triangulation, nodes), Line_weights{triangulation}
+    : Steiner_sides(triangulation, nodes), Line_weights{triangulation}
   {
   }
 
@@ -142,19 +139,6 @@ private:
   // In rows of at least this size, a binary search finds the points that can get a smaller label.
   static constexpr Index LONG_ROW = 16;
 
-  // Returns the points of the edge of `h`, ranked from its source or its target.
-  Row row(const Index h, const bool is_from_source, const Corner& corner, const double weight) const
-  {
-    const Index e = m_points.edge(h), first = m_points.first_point(e);
-    return {m_nodes.node_of_point(first),
-            m_points.number_of_points(e),
-            m_points.positions(first),
-            m_triangulation.length(h),
-            m_points.is_first(h) == is_from_source ? Index(0) : Index(1),
-            corner,
-            weight};
-  }
-
   // Enumerates the arcs to points of a row, from the point at the distance `x` from its corner.
   template <typename F>
   void visit(const Row& row, const Ranks& ranks, const double x, F& f) const
@@ -207,35 +191,6 @@ private:
     const Index beyond = narrow.beyond(rank, rank > 0 ? beyond_of_nearer : 0);
     return cell(row, point, nearer, farther, {first, beyond}, beyond_of_nearer,
                 narrow.first(rank + 1, first));
-  }
-
-  // Whether arcs between two sides of a face may be left out since they are narrow.
-  bool have_narrow_arcs(const Index a, const Index b) const
-  {
-    return m_nodes.tangent_of_narrow_arcs() > 0 &&
-           (std::min)(m_points.number_of_points(m_points.edge(a)),
-                      m_points.number_of_points(m_points.edge(b))) >= Narrow_arcs::SMALLEST_SIZE;
-  }
-
-  // Returns the range of ranks of the points on the third side of a face that `origin`, on the
-  // other side, has arcs to. They are ranked from the corner of the first side.
-  Ranks arcs_of_origin(const Face& face, const Node origin, const bool is_third_at_source) const
-  {
-    const Corner opposite = corner(face[2]);
-    const Row before = row(face[1], false, opposite, 1), behind = row(face[2], true, opposite, 1);
-    const Row& side = is_third_at_source ? before : behind;
-    const Row& third = is_third_at_source ? behind : before;
-    const Narrow_arcs narrow(opposite, m_nodes.tangent_of_narrow_arcs(), side, third);
-    const Index rank = side.rank(origin);
-    return {third.size - narrow.beyond(rank), third.size - narrow.first(rank)};
-  }
-
-  // Returns the corner at the source of `h`, which is the same to the last bit for both sides.
-  Corner corner(const Index h) const
-  {
-    const Index next = m_triangulation.next(h), last = m_triangulation.next(next);
-    return corner_of_face(m_triangulation, h, m_triangulation.length(h),
-                          m_triangulation.length(last), m_triangulation.length(next));
   }
 
   // Returns the distance of a point on the edge of `h` from the source or the target of `h`.

@@ -8,15 +8,13 @@
 
 #include <CGAL/license/Approximate_geodesics.h>
 
+#include <CGAL/Approximate_geodesics/Base/Geodesic_run_base.h>
 #include <CGAL/Approximate_geodesics/Surface/Intrinsic_triangulation.h>
-
-#include <boost/type_traits/is_detected.hpp>
 
 #include <algorithm>
 #include <cstddef>
 #include <stdexcept>
 #include <string>
-#include <utility>
 
 namespace CGAL::Approximate_geodesics::internal {
 
@@ -55,9 +53,6 @@ bool has_more_points(const Intrinsic_triangulation& triangulation,
   return sum > double(limit);
 }
 
-template <typename Placement>
-using Accepts_weaker_bound = decltype(std::declval<const Placement&>().accepts_weaker_bound());
-
 // Throws an error: `number` points are needed in all, `most` of them on the edge of a halfedge, and
 // there may be `limit`, or fewer than the graph can have nodes.
 template <typename Placement>
@@ -72,7 +67,7 @@ template <typename Placement>
   if(number > double(limit))
   {
     reason = "maximum_number_of_points is " + std::to_string(limit);
-    if constexpr(boost::is_detected_v<Accepts_weaker_bound, Placement>)
+    if constexpr(is_valid<const Placement&>([](auto& p) -> decltype(p.accepts_weaker_bound()) {}))
       if(!placement.accepts_weaker_bound())
         reason += "; fewer are enough for a larger epsilon, or with accept_weaker_bound(true)";
   }

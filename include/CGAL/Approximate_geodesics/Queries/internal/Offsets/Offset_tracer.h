@@ -255,9 +255,7 @@ private:
     std::vector<Part> to_b, from_b;
     add_parts(a, b, ab, ca.length, depth, to_b);
     add_parts(b, c, bc, ca.length, depth, from_b);
-    const double opening = // twice what the cosine of the angle at b is short of 1
-        (std::max)(0., (ca.length - ab.length + bc.length) * (ca.length + ab.length - bc.length)) /
-        (ab.length * bc.length);
+    const internal::Corner at_b(ab.length, bc.length, ca.length);
     Corner p = a, q = c; // the corners of the strip that is left
     Side pq = ca;
     double x = ab.length, y = bc.length; // how far they are from b
@@ -273,7 +271,7 @@ private:
       const Part& part = moves_p ? *next++ : *last++;
       const Corner r = moves_p ? part.end : part.start;
       (moves_p ? x : y) -= part.side.length;
-      const Side across{std::sqrt((x - y) * (x - y) + x * y * opening)};
+      const Side across{at_b.distance(x, y)};
       divide({p, r, q}, moves_p ? Sides{part.side, across, pq} : Sides{across, part.side, pq},
              part.depth);
       (moves_p ? p : q) = r;
