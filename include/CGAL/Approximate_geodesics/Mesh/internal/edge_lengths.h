@@ -72,14 +72,14 @@ inline double accurate_length(const Space_vector& way)
   return std::sqrt(dot(scaled, scaled)) * scale.unit();
 }
 
-using Points = std::vector<Space_vector, Uninitialized_allocator<Space_vector>>;
+using Space_points = std::vector<Space_vector, Uninitialized_allocator<Space_vector>>;
 
 // The edge length of each halfedge, in a unit that is a power of two.
 struct Edge_lengths
 {
   std::vector<double> of_halfedge;
   double unit = 1;
-  Points points; // of vertices, in that unit; empty if lengths were given
+  Space_points points; // of vertices, in that unit; empty if lengths were given
 
   // The halfedges to the right of sharp corners, whose faces may be thin; by block of vertices.
   std::vector<std::vector<Index>> sharp_corners;
@@ -130,7 +130,7 @@ Space_vector double_point(const Point_3& p, const Traits& traits)
 // The points of a mesh, by the index of the vertex; none if lengths are given.
 struct Mesh_points
 {
-  Points of_vertex;
+  Space_points of_vertex;
   double extent = 0;                 // without isolated vertices, which do not affect lengths
   Index first_infinite = null_index; // the vertex
 };
@@ -179,10 +179,10 @@ scale_points(Mesh_points mesh_points, const Connectivity& connectivity, const Lo
            " has a coordinate that is infinite or not a number");
   constexpr bool has_new_order = std::is_same_v<Connectivity, Intrinsic_triangulation>;
   const Scale scale(mesh_points.extent);
-  Points points = std::move(mesh_points.of_vertex), other;
+  Space_points points = std::move(mesh_points.of_vertex), other;
   if constexpr(has_new_order)
     resize_in_huge_pages(other, connectivity.number_of_vertices());
-  Points& ordered = has_new_order ? other : points;
+  Space_points& ordered = has_new_order ? other : points;
   loop.run_blocks(ordered.size(), [&](const std::size_t first, const std::size_t beyond) {
     for(std::size_t v = first; v < beyond; ++v)
     {
@@ -319,7 +319,7 @@ inline std::vector<Index> find_thin_faces(const std::vector<std::vector<Index>>&
 
 // Computes the shapes of these faces. `points` are the vertices in the unit of the triangulation.
 inline Thin_faces thin_faces(const std::vector<std::vector<Index>>& sharp_corners,
-                             const Points& points,
+                             const Space_points& points,
                              const Intrinsic_triangulation& triangulation,
                              const Loop& loop)
 {
