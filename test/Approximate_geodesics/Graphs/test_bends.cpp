@@ -102,6 +102,28 @@ TEST(Bends, are_possible_where_angles_add_up_to_more)
         << thin;
 }
 
+// Where angles add up to exactly two right ones at the border, and four inside.
+TEST(Bends, are_possible_at_straight_borders_beside_needles_only)
+{
+  const std::size_t columns = 8, rows = 7;
+  for(const double thin : {1., 1e-7})
+  {
+    const Triangulation t(to_mesh(grid(
+        columns, rows, [=](const double i, const double j) { return Point(thin * i, j, 0); })));
+    const Bends bends = Sight_tables(t, AG::internal::Loop()).bends;
+    for(std::size_t v = 0; v < columns * rows; ++v)
+    {
+      const std::size_t i = v % columns, j = v / columns;
+      const int borders = (i == 0 || i == columns - 1) + (j == 0 || j == rows - 1);
+      const Bend_kind straight = thin < 1 ? Bend_kind::BORDER : Bend_kind::NONE_AS_FLAT;
+      if(borders < 2)
+      {
+        EXPECT_EQ(bends[t.vertex(v)], borders == 0 ? Bend_kind::NONE_AS_FLAT : straight) << v;
+      }
+    }
+  }
+}
+
 TEST(Bends, are_possible_by_any_angle_at_degenerate_faces)
 {
   const std::uint64_t seed = test_seed();

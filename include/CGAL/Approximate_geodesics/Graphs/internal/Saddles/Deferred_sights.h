@@ -219,7 +219,7 @@ private:
   static constexpr std::size_t number_of_steps = 16, steps_to_horizon = 8;
   static constexpr std::size_t sights_in_block = 64;
 
-  using Blocks = std::vector<List>; // none of them is empty
+  using Blocks = std::vector<List>; // those of a step have sights
 
   bool is_any_waiting() const
   {
