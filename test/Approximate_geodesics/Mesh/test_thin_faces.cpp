@@ -5,6 +5,7 @@
 
 #include <CGAL/Approximate_geodesics/Surface/internal/face_geometry.h>
 
+#include "checks/expect_message.h"
 #include "checks/graphs_of_all_kinds.h"
 #include "checks/test_random.h"
 #include "meshes/sample_meshes.h"
@@ -19,6 +20,7 @@
 #include <cmath>
 #include <cstddef>
 #include <iostream>
+#include <stdexcept>
 #include <string>
 #include <vector>
 
@@ -467,6 +469,27 @@ TEST(Thin_faces, have_finite_shapes_however_thin_they_are)
     for(const double longest : {1., 1 + 0x1p-52})
       expect_finite(triangulation_of_lengths({{p, p, p}, {{0, 1, 2}}}, {1, longest, smallest}));
   }
+}
+
+// A face whose area underflows, entirely or to a few digits, among faces of size 1.
+TEST(Thin_faces, are_refused_if_they_are_too_small)
+{
+  for(const double size : {1e-133, 1e-141, 1e-150})
+    for(const bool is_closed : {false, true})
+    {
+      Soup soup{
+          {Point(0, 0, 0), Point(size, 0, 0), Point(0.3 * size, 0.7 * size, 0), Point(1, 1, 1)},
+          {{0, 1, 2}, {1, 0, 3}, {2, 1, 3}}};
+      if(is_closed)
+        soup.triangles.push_back({0, 2, 3});
+      const Triangulation t(to_mesh(soup));
+      const auto expect_refusal = [](const auto& make_graph) {
+        expect_message<std::invalid_argument>(make_graph, "too small relative to the mesh",
+                                              "in the face with vertices 0, 1, 2");
+      };
+      expect_refusal([&] { Lazy_discrete_geodesic_graph(t, CGAL::parameters::epsilon(0.1)); });
+      expect_refusal([&] { Saddle_vertex_graph graph(t); });
+    }
 }
 
 TEST(Thin_faces, are_kept_if_there_are_coordinates)

@@ -14,6 +14,7 @@
 #include <CGAL/boost/graph/iterator.h>
 
 #include <boost/property_map/property_map.hpp>
+#include <boost/type_traits/is_detected.hpp>
 
 #include <cmath>
 #include <cstddef>

@@ -534,13 +534,14 @@ public:
   /// @}
 
   /// \cond SKIP_IN_MANUAL
+  static constexpr double smallest_perimeter = 0x1p-240; // its fourth power still fits a `double`
+
   // Whether `h` is not so long that its face breaks the triangle inequality, and the area does not
   // underflow. \pre There is a face to the left.
   bool has_shape(const Index h) const
   {
     // lengths have been rounded once, or are given with errors of that order
     constexpr double tolerance = 16 * std::numeric_limits<double>::epsilon();
-    constexpr double smallest_perimeter = 0x1p-240; // its fourth power still fits a `double`
     const Index g = next(h);
     const double rest = length(g) + length(next(g)), perimeter = length(h) + rest;
     return length(h) <= rest + tolerance * perimeter &&

@@ -20,8 +20,8 @@ namespace CGAL::Approximate_geodesics::internal {
 #if defined(__GNUC__) && defined(__SSE2__)
 
 /*
- * Two numbers, one for the left and one for the right, and the same operation on both. This is one
- * instruction with SSE2, and two elsewhere, with the same results.
+ * Two numbers, one for the left and one for the right, and the same operation on both: one
+ * instruction with SSE2, and two elsewhere.
  */
 class Double_pair
 {

@@ -105,8 +105,10 @@ public:
             for(Index h = t.first_halfedge(v); h < t.beyond_halfedge(v); ++h)
             {
               faces[h] = Face::of(t, v, h);
-              if(!(faces[h].across > 0) && !t.is_border(h) && !t.has_shape(h))
-                is_without_shape = true; // such a face has no area
+              // a face without shape has no area, or one that underflows
+              if(!(faces[h].across > 0 && t.length(h) >= t.smallest_perimeter) && !t.is_border(h) &&
+                 !t.has_shape(h))
+                is_without_shape = true;
             }
           if(is_without_shape)
             is_any_without_shape = true;

@@ -59,7 +59,7 @@ public:
   }
 
   // Copies the ranks of `number` halfedges of `other`, starting at `first`, to those starting at
-  // `h`. What is behind these is lost.
+  // `h`. What is behind these may be lost.
   void copy(const Opposite_ranks& other, const Index first, const Index number, const Index h)
   {
     if(!other.m_large_rank.empty())

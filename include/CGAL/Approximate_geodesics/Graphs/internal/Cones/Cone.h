@@ -94,7 +94,7 @@ struct Cone_side
 
   // Whether x is out of sight on this side. `outside` is its distance from the ray, positive if it
   // is outside the cone. Where faces have no area, x may be on the ray between the tip and the
-  // vertex, or on the ray of the other side. `Narrow_cone::Side` has the same test without
+  // vertex, or on the ray of the other side. `Cone_bounds` has the same test without
   // branches.
   bool is_passed(const Plane_vector x, const double outside) const
   {

@@ -80,7 +80,7 @@ struct alignas(64) Narrow_cone
   Cone_bounds bounds;
   Index halfedge; // of the window; the face ahead is to its left
   Index tip;
-  Index unused; // else, g++ would write some bytes of pairs twice, and reading them would take long
+  Index unused; // fills the cache lines, so that g++ copies each pair by itself
   Way way;      // a halfedge on the way, or `Crossing_and_edge`
 };
 
@@ -127,10 +127,11 @@ inline bool needs_general_front(const Intrinsic_triangulation& triangulation)
 
 /*
  * Finds arcs of several vertices that a search with these labels may need. The cones of all of them
- * advance together, a face at a time. Whether a cone is split or passes a vertex is unpredictable,
- * so no branch depends on it: each resulting cone is written, and the next one overwrites it if it
- * is not needed. Paths find these arcs again by `Cone_expansion`, whose cones
- * must not end before these: see `Lazy_discrete_geodesic_graph::rules_of_longest_arcs()`.
+ * advance together, a face at a time. Whether a cone is split, passes a vertex or is needed is
+ * unpredictable, so no branch depends on it: each resulting cone is written, and the next one
+ * overwrites it if it is not needed. Few cones end by their shape, so this is a branch. Paths find
+ * these arcs again by `Cone_expansion`, whose cones must not end before these: see
+ * `Lazy_discrete_geodesic_graph::rules_of_longest_arcs()`.
  *
  * A front that is not general is for triangulations where lines do not return, and that have no
  * extreme needles.

@@ -14,8 +14,10 @@
 #include <boost/container/small_vector.hpp>
 
 #include <algorithm>
+#include <cfloat>
 #include <cstddef>
 #include <limits>
+#include <type_traits>
 #include <vector>
 
 namespace CGAL::Approximate_geodesics::internal {
@@ -176,6 +178,10 @@ private:
     graph().expand(together.data(), together.size(), m_epsilon, labels, candidates, memory);
   }
 
+  // As it is stored in a label: if it were compared with more digits, a node might wait for a path
+  // that does not lower its label.
+  using Sum = std::conditional_t<FLT_EVAL_METHOD == 0, double, volatile double>;
+
   // Appends the edges that lead to `node` and lower its label. Returns whether there are any.
   template <typename Labels, typename Candidates>
   bool append_shorter_path(const Node node, const Labels& labels, Candidates& candidates) const
@@ -187,7 +193,8 @@ private:
     {
       const Node neighbor = triangulation.target(h);
       const double label_of_neighbor = labels.distance(neighbor), length = triangulation.length(h);
-      if(!(label_of_neighbor + length < label))
+      const Sum sum = label_of_neighbor + length;
+      if(!(sum < label))
         continue;
       candidates.make_room(1);
       candidates.append(true, neighbor, label_of_neighbor, node, length);
