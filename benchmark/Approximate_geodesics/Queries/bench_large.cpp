@@ -284,16 +284,6 @@ struct Tables
   Table built{{"mesh", "vertices", "ns", "graph B", "peak B", "peak : graph"}};
 };
 
-// The host of a virtual machine finds memory for it when it is first written, which takes several
-// times as long as what is measured. So another process has written as much before.
-void write_memory(const std::size_t bytes)
-{
-  numbers_from_child(1, SECONDS_AT_MOST, [=](double* const result) {
-    const std::vector<char> memory(bytes, 1);
-    *result = memory[bytes / 2];
-  });
-}
-
 void measure(const std::string& name,
              const std::size_t number_of_vertices,
              const Make_arrays& make_arrays,
@@ -302,12 +292,9 @@ void measure(const std::string& name,
              Tables& tables)
 {
   const std::size_t r = number_of_vertices <= 2'000'000 ? rounds : 1;
-  constexpr std::size_t bytes_along_edges = 180, bytes_across_faces = 380; // per vertex, at least
-  write_memory(number_of_vertices * bytes_along_edges);
   tables.calls.add<AG::Edge_graph>(name, "edges", make_arrays, r, parameters::default_values());
   if(number_of_vertices > sizes.largest_across_faces)
     return;
-  write_memory(number_of_vertices * bytes_across_faces);
   tables.calls.add<AG::Lazy_discrete_geodesic_graph>(name, "epsilon 0.1", make_arrays, r,
                                                      parameters::epsilon(0.1));
   measure_file(name, make_arrays, tables.files);
