@@ -206,11 +206,12 @@ public:
    *
    * \param seeds where to start
    * \param stop when the run may end early
-   * \param heuristic a consistent heuristic: a model of the concept `AStarHeuristic` of the Boost
-   *        Graph Library, which is a function object called with a `Node`. It returns a lower bound
-   *        of the distance from this node to the goal, in units of the graph. Consistent means that
-   *        for each arc, the value at its start is at most the length of the arc plus the value at
-   *        its end. Rounding errors are tolerated.
+   * \param heuristic a model of the concept `AStarHeuristic` of the Boost Graph Library, which is a
+   *        function object called with a `Node`. It returns a lower bound of the distance from this
+   *        node to the goal, in units of the graph. It should be consistent: for each arc, the
+   * value at its start is at most the length of the arc plus the value at its end. If it is not,
+   *        the distance of the goal is the same, but nodes may be expanded again. Rounding errors
+   *        are tolerated.
    * \param find_entries finds the seeds, for lines that are found from upper bounds
    *
    * \throws std::invalid_argument as `run()` does.
@@ -224,11 +225,12 @@ public:
     check(seeds, stop);
     forget();
     search(seeds, stop, Geodesic_visitor_base(), heuristic, find_entries);
-    const auto is_lost = [&] { // although the goal has an upper bound
-      return m_limit < internal::infinity &&
-             goal(stop, internal::No_heuristic()).distance() == internal::infinity;
-    };
-    if(internal::reopens_too_often(m_labels) || is_lost())
+    bool is_lost = false; // although the goal has an upper bound
+    guard([&] {
+      is_lost = m_limit < internal::infinity &&
+                goal(stop, internal::No_heuristic()).distance() == internal::infinity;
+    });
+    if(internal::reopens_too_often(m_labels) || is_lost)
     {
       forget();
       search(seeds, stop, Geodesic_visitor_base(), internal::No_heuristic(), find_entries);

@@ -521,7 +521,7 @@ private:
       if constexpr(has_prefetch<Graph>)
         m_graph.prefetch(node);
       *end = node;
-      end += static_cast<std::ptrdiff_t>(!is_stale(key, distances[node], node, m_heuristic));
+      end += static_cast<std::ptrdiff_t>(!is_stale(key, distances[node], node));
     }
     order.resize(static_cast<std::size_t>(end - order.data()));
     m_size = order.size() - first;
@@ -530,6 +530,17 @@ private:
       m_statistics->pops += batch.size() - m_size;
       m_statistics->stale_pops += batch.size() - m_size;
     }
+  }
+
+  // Whether an entry is stale: its node was entered again since then, with a smaller key. The entry
+  // of the present label never is. So every node with a label is in the order or in the queue, and
+  // its label is reset before the next run.
+  bool is_stale(const double key, const double distance, const Node node) const
+  {
+    if constexpr(is_heuristic<Heuristic>)
+      if(key <= m_largest_raised_key)
+        return false;
+    return is_above(key, distance, node, m_heuristic);
   }
 
   // Whether the run of the graph has requested this call, though no node is to be expanded. The
@@ -575,11 +586,21 @@ private:
     m_statistics->improvements += number_lowered;
   }
 
-  // Keys must not decrease. With a consistent heuristic, they do so by rounding only.
-  double key(const Node node, const double distance) const
+  // Keys must not decrease, and are raised if they do: by rounding, or because the heuristic is not
+  // consistent. Those that are raised by more than rounding are remembered, as they would look like
+  // keys of stale entries.
+  double key(const Node node, const double distance)
   {
     if constexpr(is_heuristic<Heuristic>)
-      return (std::max)(distance + m_heuristic(node), m_smallest_key);
+    {
+      const double sum = distance + m_heuristic(node);
+      if(sum >= m_smallest_key)
+        return sum;
+      if(m_smallest_key > m_largest_raised_key &&
+         is_above(m_smallest_key, distance, node, m_heuristic))
+        m_largest_raised_key = m_smallest_key;
+      return m_smallest_key;
+    }
     else
       return distance;
   }
@@ -591,7 +612,8 @@ private:
   Candidates& m_candidates;
   const Heuristic& m_heuristic;
   double m_limit;
-  double m_smallest_key = 0; // of the batch, if there is a heuristic
+  double m_smallest_key = 0;        // of the batch, if there is a heuristic
+  double m_largest_raised_key = -1; // by more than rounding
   std::size_t m_size = 0;
   std::optional<Queue_entry> m_request; // of the graph's run, to be called again
   Propagation_statistics* m_statistics;

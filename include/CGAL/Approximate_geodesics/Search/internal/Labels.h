@@ -10,6 +10,7 @@
 
 #include <CGAL/Approximate_geodesics/Base/internal/arrays.h>
 #include <CGAL/Approximate_geodesics/Search/Propagation_types.h>
+#include <CGAL/assertions.h>
 
 #include <algorithm>
 #include <cstddef>
@@ -22,7 +23,8 @@ namespace CGAL::Approximate_geodesics::internal {
 /*
  * The labels of a search: for each node, the smallest distance found so far and the predecessor on
  * that path; and the order in which nodes were expanded, from which labels are reset before the
- * next run. A run only touches nodes that it reaches.
+ * next run. A run only touches nodes that it reaches. When it has ended, every node with a label is
+ * in the order.
  */
 class Labels
 {
@@ -72,6 +74,8 @@ public:
   {
     reset(m_distance, m_order, infinity);
     m_order.clear();
+    CGAL_expensive_assertion(std::all_of(m_distance.begin(), m_distance.end(),
+                                         [](const double d) { return d == infinity; }));
   }
 
   void forget_all()

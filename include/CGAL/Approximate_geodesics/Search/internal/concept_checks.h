@@ -170,12 +170,12 @@ template <typename Heuristic>
 constexpr bool needs_order = is_valid<Heuristic&, std::true_type>(
     [](auto& h) -> std::bool_constant<std::decay_t<decltype(h)>::needs_order> {});
 
-// Whether an entry is stale: its key is larger than the one that its node would be entered with
-// now, at this distance. With a heuristic, both keys were rounded, and the first one may have been
-// raised; then small differences do not count, as it does no harm to expand a stale entry. The
-// heuristic may tell how much keys may decrease along a path, apart from relative differences.
+// Whether a key is larger than the one that its node would be entered with now, at this distance.
+// With a heuristic, both were rounded; then small differences do not count, as it does no harm to
+// expand a node again. The heuristic may tell how much keys may decrease along a path, apart from
+// relative differences.
 template <typename Node, typename Heuristic>
-bool is_stale(const double key, const double distance, const Node node, const Heuristic& heuristic)
+bool is_above(const double key, const double distance, const Node node, const Heuristic& heuristic)
 {
   if constexpr(is_heuristic<Heuristic>)
   {
