@@ -9,6 +9,7 @@
 #include <CGAL/license/Approximate_geodesics.h>
 
 #include <CGAL/Approximate_geodesics/Base/internal/Loop.h>
+#include <CGAL/Approximate_geodesics/Paths/internal/for_each_arc.h>
 #include <CGAL/Approximate_geodesics/Paths/internal/surface_graph.h>
 #include <CGAL/Approximate_geodesics/Search/Propagation.h>
 #include <CGAL/Approximate_geodesics/Surface/Intrinsic_point.h>
@@ -40,6 +41,10 @@ namespace CGAL::Approximate_geodesics {
  * `Surface_mesh_shortest_path::prepare_pairs()` use it. All landmarks are in the largest connected
  * part of the graph; pairs elsewhere are found as without them.
  *
+ * Arcs may go one way only. Bounds that need the way back are used if it is known: the constructor
+ * compares the distances with `asymmetry()` of the graph, arc by arc. There are none for nodes that
+ * paths may start from, but do not lead through, such as vertices that barriers divide.
+ *
  * An object never changes after its construction, and may be used by several threads.
  *
  * \tparam SurfaceGraph a model of `SurfaceGraph` with the optional `asymmetry()`: `Steiner_graph`,
@@ -65,9 +70,9 @@ public:
    *
    * \throws std::invalid_argument if `number` is `0`.
    *
-   * Run time is that of two searches of the graph for each landmark, and of one or a few to find
-   * the largest connected part. Memory is 8 bytes per node and landmark; meanwhile, also that of a
-   * workspace and 20 bytes per node.
+   * Run time is that of two searches of the graph for each landmark, of one or a few to find the
+   * largest connected part, and of looking at all arcs twice. Memory is 8 bytes per node and
+   * landmark; meanwhile, also that of a workspace and 20 bytes per node.
    */
   explicit Landmarks(const SurfaceGraph& graph, std::size_t number = DEFAULT_NUMBER);
 
@@ -96,6 +101,13 @@ private:
   // A distance that is not known: comparisons with it are false.
   static constexpr double unknown = std::numeric_limits<double>::quiet_NaN();
 
+  // Of sums of arcs.
+  double rounding() const
+  {
+    constexpr double part = 1e-11; // of the largest distance
+    return part * m_largest;
+  }
+
   const double* distances(const Node node) const
   {
     return m_distance.data() + std::size_t(node) * m_nodes.size();
@@ -117,12 +129,15 @@ private:
   void find_distances(Search& search, Node first);
   void add(Search& search, Node landmark, std::size_t i);
   Node next_landmark(Search& search, Node root, std::size_t number) const;
+  void forget_dead_ends();
+  bool leads_back() const;
   double largest_difference(Node a, Node b, std::size_t number) const; // from the first landmarks
 
   const SurfaceGraph* m_graph;
   std::vector<Node> m_nodes;      // the landmarks
   std::vector<double> m_distance; // from each of them, in units of the graph, node by node
   double m_largest = 0;           // of the distances
+  double m_part_of_way_back = 0;  // the way there, as part of the way back; 0 if it is not known
   std::size_t m_number_of_changes;
 };
 
@@ -133,6 +148,9 @@ private:
  * A landmark at the distance \f$a\f$ from a node and \f$b\f$ from the goal gives the bounds
  * \f$b - a\f$ and \f$(a - b) / (1 + \alpha)\f$, where \f$\alpha\f$ is the `asymmetry()` of the
  * graph. They are lowered by more than the rounding of \f$a\f$ and \f$b\f$.
+ *
+ * The bound of a node that paths may start from, but do not lead through, is 0, and consistent for
+ * the arcs from there, but not for those to it.
  */
 template <typename SurfaceGraph>
 class Landmarks<SurfaceGraph>::Heuristic
@@ -152,24 +170,19 @@ public:
       forward = forward < ahead ? ahead : forward;
       back = back < behind ? behind : back;
     }
-    return (std::max)((std::max)(forward, back * m_part_of_way_back) - m_rounding, 0.);
+    return (std::max)((std::max)(forward, back * m_landmarks.m_part_of_way_back) - rounding(), 0.);
   }
 
   /// returns how much sums of a distance and a bound may decrease along a path, by rounding.
-  double rounding() const { return m_rounding; }
+  double rounding() const { return m_landmarks.rounding(); }
 
 private:
   friend class Landmarks;
 
-  // Of sums of arcs, relative to the largest distance.
-  static constexpr double ROUNDING = 1e-11;
-
   Heuristic(const Landmarks& landmarks, const Intrinsic_point& goal)
     : m_landmarks(landmarks),
       m_smallest(landmarks.m_nodes.size(), internal::infinity),
-      m_largest(landmarks.m_nodes.size(), -internal::infinity),
-      m_part_of_way_back(1 / (1 + landmarks.m_graph->asymmetry())),
-      m_rounding(ROUNDING * landmarks.m_largest)
+      m_largest(landmarks.m_nodes.size(), -internal::infinity)
   {
     internal::attach_target(*landmarks.m_graph, goal)
         .for_each_node([this](const Node node, const double length) {
@@ -195,8 +208,6 @@ private:
   // Distances of the goal, by the line to it that makes them smallest or largest: a vertex that
   // barriers divide has one in each of its sectors.
   std::vector<double> m_smallest, m_largest;
-  double m_part_of_way_back; // as part of the way there
-  double m_rounding;
 };
 
 template <typename SurfaceGraph>
@@ -213,6 +224,8 @@ Landmarks<SurfaceGraph>::Landmarks(const SurfaceGraph& graph, const std::size_t 
     return;
   Search search(graph);
   find_distances(search, first_landmark(search));
+  forget_dead_ends();
+  m_part_of_way_back = leads_back() ? 1 / (1 + graph.asymmetry()) : 0;
 }
 
 template <typename SurfaceGraph>
@@ -317,6 +330,43 @@ double Landmarks<SurfaceGraph>::largest_difference(const Node a,
     const double difference = std::abs(distances(a)[i] - distances(b)[i]);
     result = result < difference ? difference : result; // which may be unknown
   }
+  return result;
+}
+
+// Where a search from a landmark has not followed an arc, paths do not lead through the node that
+// it starts from. Bounds for paths from there would be those of another node.
+template <typename SurfaceGraph>
+void Landmarks<SurfaceGraph>::forget_dead_ends()
+{
+  std::vector<bool> is_dead_end(m_graph->number_of_nodes());
+  internal::for_each_arc(*m_graph, [&](const Node node, const Node target, const double length) {
+    const double *const from = distances(node), *const to = distances(target);
+    for(std::size_t i = 0; i < m_nodes.size(); ++i)
+    {
+      const double sum = from[i] + length + rounding();
+      if(sum < internal::infinity && !(to[i] <= sum))
+        is_dead_end[node] = true;
+    }
+  });
+  for(std::size_t i = 0; i < m_distance.size(); ++i)
+    if(is_dead_end[i / m_nodes.size()])
+      m_distance[i] = unknown;
+}
+
+// Whether distances say that the way back along each arc is as short as the graph does.
+template <typename SurfaceGraph>
+bool Landmarks<SurfaceGraph>::leads_back() const
+{
+  const double longest_way_back = 1 + m_graph->asymmetry(); // along an arc of length 1
+  if(!(longest_way_back < internal::infinity))
+    return false;
+  bool result = true;
+  internal::for_each_arc(*m_graph, [&](const Node node, const Node target, const double length) {
+    const double *const from = distances(node), *const to = distances(target);
+    for(std::size_t i = 0; i < m_nodes.size(); ++i)
+      if(from[i] > to[i] + longest_way_back * length + rounding())
+        result = false;
+  });
   return result;
 }
 

@@ -11,6 +11,7 @@
 #include <CGAL/Approximate_geodesics/Base/Arc_lengths.h>
 #include <CGAL/Approximate_geodesics/Base/internal/Loop.h>
 #include <CGAL/Approximate_geodesics/Base/internal/arrays.h>
+#include <CGAL/Approximate_geodesics/Paths/internal/for_each_arc.h>
 #include <CGAL/Approximate_geodesics/Search/internal/Labels.h>
 
 #include <algorithm>
@@ -102,39 +103,15 @@ public:
   }
 
 private:
-  // Calls `f(node, other, length)` for both ends of each arc. The arcs of a node are those of a
-  // search that starts there.
+  // Calls `f(node, other, length)` for both ends of each arc.
   template <typename Graph, typename F>
   static void for_each_end(const Graph& graph, const F& f)
   {
-    Labels labels(graph.number_of_nodes());
-    for(Node node = 0; node < graph.number_of_nodes(); ++node)
-    {
-      check_for_interruption_at(node);
-      labels.set(node, 0, Labels::null_node);
-      const auto add = [&](const Node target, const double length) {
-        f(node, target, length);
-        f(target, node, length);
-      };
-      graph.for_each_arc(node, labels, Each_arc<decltype(add)>{add});
-      labels.set(node, infinity, Labels::null_node);
-    }
+    internal::for_each_arc(graph, [&](const Node node, const Node target, const double length) {
+      f(node, target, length);
+      f(target, node, length);
+    });
   }
-
-  // Takes arcs one by one, or several to consecutive nodes.
-  template <typename F>
-  struct Each_arc
-  {
-    void operator()(const Node target, const double length) const { f(target, length); }
-
-    void operator()(const Node first, const double* const lengths, const std::size_t number) const
-    {
-      for(std::size_t i = 0; i < number; ++i)
-        f(first + static_cast<Node>(i), lengths[i]);
-    }
-
-    const F& f;
-  };
 
   void remove_longer_arcs()
   {
