@@ -398,6 +398,7 @@ private:
   {
     const auto seeds = this->seeds(sources);
     const auto rule = rule_for_nodes(stop);
+    check(seeds, rule);
     try
     {
       run(seeds, rule, find_entries(sources));
@@ -427,6 +428,13 @@ private:
   }
 
   void check(const Intrinsic_point& p) const { internal::check_point(p, m_graph->triangulation()); }
+
+  // The search does the same; but if it throws, and nothing is reached, it may have started.
+  void check(const std::vector<typename Search::Seed>& seeds,
+             const typename Search::Stop_rule& rule) const
+  {
+    internal::check_input(seeds, rule, m_graph->number_of_nodes(), m_graph->unit());
+  }
 
   std::vector<typename Search::Seed> seeds(const std::vector<Source_point>& sources) const
   {

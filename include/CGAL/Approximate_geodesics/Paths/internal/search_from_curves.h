@@ -27,8 +27,9 @@ void Surface_search<SurfaceGraph, PriorityQueue>::run_from_curves(
   else
   {
     internal::Curve_sources sources(m_graph->triangulation(), std::move(curves));
+    const auto seeds = sources.seeds(*m_graph);
+    check(seeds, {});
     run_and_adopt({}, {}, stop, [&](const auto&, const auto& rule, const auto&) {
-      const auto seeds = sources.seeds(*m_graph);
       m_search.run(seeds, rule, visitor, [&] { return sources.entries(m_search, seeds); });
     });
     m_curves = std::move(sources);
