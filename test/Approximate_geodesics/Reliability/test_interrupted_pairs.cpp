@@ -121,4 +121,39 @@ TEST_F(Interrupted_pairs, that_are_exact_and_prepared)
   expect_survival([&] { return search.distances(pairs); });
 }
 
+// After a failure, nothing counts as reached, whether the search was guided or not.
+TEST_F(Interrupted_pairs, that_are_led_around_barriers)
+{
+  using Search = AG::Surface_search<Steiner_graph<Fixed_number_of_points>>;
+  Random random(test_seed());
+  const Barriers barriers = random_barriers(m_mesh, 0.3, random);
+  const Steiner_graph<Fixed_number_of_points> graph(Triangulation(m_mesh, with_barriers(barriers)),
+                                                    Fixed_number_of_points(0));
+  const AG::Landmarks<Steiner_graph<Fixed_number_of_points>> landmarks(graph, 2);
+  const auto pairs = pairs_of(graph.triangulation());
+  Search search(graph);
+  search.use_landmarks(landmarks);
+  const auto is_forgotten = [&](Values&) {
+    for(Node n = 0; n < graph.number_of_nodes(); ++n)
+      EXPECT_EQ(search.source(n), Search::null_source);
+  };
+  for(const auto& [source, target] : pairs)
+    expect_survival<Values>({[] { return Values(); },
+                             [&, s = source, t = target](Values& values) {
+                               search.run({{t}});
+                               search.run_to(t, {{s}});
+                               values = {search.distance(t)};
+                             },
+                             [](Values& values) { return values; }});
+  search.run({});
+  for(const auto& [source, target] : pairs)
+    expect_survival<Values>({[] { return Values(); },
+                             [&, s = source, t = target](Values& values) {
+                               search.run_to(t, {{s}});
+                               values = {search.distance(t)};
+                               search.run({});
+                             },
+                             [](Values& values) { return values; }, is_forgotten});
+}
+
 } // namespace
