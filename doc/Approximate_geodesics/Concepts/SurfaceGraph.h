@@ -120,7 +120,8 @@ public:
 
   /// returns a bound on how much longer, relatively, the way back along an arc is than the arc: `0`
   /// if each arc leads back, infinity if nothing is known. The distances of nodes must not depend
-  /// on the search. `CGAL::Approximate_geodesics::Landmarks` need it.
+  /// on the search. `CGAL::Approximate_geodesics::Landmarks` need it, and compare it with the
+  /// distances that they find.
   double asymmetry() const;
 
   /// returns a number such that paths between vertices cost at most one plus this number times as
