@@ -47,7 +47,8 @@ namespace CGAL::Approximate_geodesics {
  *
  * Nodes are the vertices, the points, and one for each sector of a vertex whose incident faces are
  * divided by barriers into several sectors: no path leads through such a vertex from one sector
- * into another.
+ * into another. `attach()` lists all nodes of a vertex; a run of `Propagation` from several places
+ * starts from all of them.
  *
  * An object of this class never changes after its construction, unless its weights or barriers do,
  * and may be used by several threads.

@@ -47,8 +47,9 @@ namespace CGAL::Approximate_geodesics {
  *
  * An object never changes after its construction, and may be used by several threads.
  *
- * \tparam SurfaceGraph a model of `SurfaceGraph` with the optional `asymmetry()`: `Steiner_graph`,
- *         `Directional_graph`, `Discrete_geodesic_graph` or `Edge_graph`
+ * \tparam SurfaceGraph a model of `SurfaceGraph` with `for_each_arc()` and the optional
+ *         `asymmetry()`: `Steiner_graph`, `Directional_graph`, `Discrete_geodesic_graph` or
+ *         `Edge_graph`
  */
 template <typename SurfaceGraph>
 class Landmarks

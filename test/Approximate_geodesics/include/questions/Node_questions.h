@@ -118,6 +118,22 @@ private:
     return result;
   }
 
+  // Those at nodes that paths lead through. Where there is a label already, others are no starts.
+  Seeds through_nodes(Seeds all) const
+  {
+    CGAL::Approximate_geodesics::internal::Labels labels(m_graph.number_of_nodes());
+    const auto is_dead_end = [&](const typename Search::Seed& seed) {
+      bool result = true;
+      const auto on_arcs = [&](auto&&...) { result = false; };
+      labels.set(seed.node, 0, seed.node); // reached from somewhere
+      m_graph.for_each_arc(seed.node, labels, on_arcs);
+      labels.discard(seed.node);
+      return result;
+    };
+    all.erase(std::remove_if(all.begin(), all.end(), is_dead_end), all.end());
+    return all;
+  }
+
   template <typename Choices>
   Stop_rule limit(Choices& choices) const
   {
@@ -203,13 +219,13 @@ private:
   template <typename Choices>
   std::string about_more(Choices& choices)
   {
-    Seeds s = seeds(choices);
+    Seeds s = through_nodes(seeds(choices));
     if(chosen(choices, 2))
       m_used.repair(s);
     else
     {
       m_used.run(s);
-      const Seeds more = seeds(choices);
+      const Seeds more = through_nodes(seeds(choices));
       m_used.run_further(more);
       s.insert(s.end(), more.begin(), more.end());
     }
@@ -222,7 +238,7 @@ private:
   template <typename Choices>
   std::string about_rest(Choices& choices)
   {
-    const Seeds s = seeds(choices);
+    const Seeds s = through_nodes(seeds(choices));
     Search part(m_graph), fresh(m_graph);
     fresh.run(s);
     if constexpr(!CGAL::Approximate_geodesics::internal::has_own_run<Graph>)
