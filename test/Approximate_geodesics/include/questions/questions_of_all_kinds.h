@@ -187,7 +187,7 @@ private:
     ask(name, mesh, graph, kind, number, [] {});
   }
 
-  // Asks about points, and about nodes if labels of these do not depend on the search. Calls
+  // Asks about points, and about nodes if their distances do not depend on the search. Calls
   // `change()` now and then, which may change arcs.
   template <typename Graph, typename Change>
   void ask(const char* name,
@@ -197,7 +197,7 @@ private:
            const std::size_t number,
            const Change& change)
   {
-    if(kind.deviation < 1e-12)
+    if constexpr(CGAL::Approximate_geodesics::internal::has_asymmetry<Graph>)
       ask_about_nodes(name, graph, kind, number / 2, change);
     const auto positions = positions_of(mesh, graph.triangulation());
     Answer_kind adapting = kind;
