@@ -144,7 +144,8 @@ export function options(given, names = undefined) {
 
 /** An object whose properties have these names. */
 export function named(given, names, name, part) {
-  if (!isPlain(given)) throw new TypeError(`${name} are ${shown(given)}; they must be a plain object`);
+  if (!isPlain(given))
+    throw new TypeError(`${name} are ${shown(given)}; they must be a plain object`);
   for (const one of names ? Object.keys(given) : [])
     if (!names.includes(one))
       throw new TypeError(`there is no ${part} '${one}'; there are ${names.join(', ') || 'none'}`);

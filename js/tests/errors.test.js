@@ -152,16 +152,27 @@ const cases = [
   [() => SOLVER.distances({ length: 1, 0: 0 }), TypeError, /^the source is { 0, length }/],
   [() => SOLVER.distances([[0, 1]]), TypeError, /^source 0 is an object of type Array/],
   [() => SOLVER.distances(new Map([[0, 1]])), TypeError, /^source 0 is an object of type Array/],
-  [() => SOLVER.distances(Promise.resolve(0)), TypeError, /^the source is an object of type Promise/],
+  [
+    () => SOLVER.distances(Promise.resolve(0)),
+    TypeError,
+    /^the source is an object of type Promise/,
+  ],
   [() => SOLVER.distances(new Number(0)), TypeError, /^the source is an object of type Number/],
-  [() => SOLVER.distances(new ArrayBuffer(4)), TypeError, /^the source is an object of type ArrayB/],
+  [
+    () => SOLVER.distances(new ArrayBuffer(4)),
+    TypeError,
+    /^the source is an object of type ArrayB/,
+  ],
   [() => SOLVER.distances(new DataView(new ArrayBuffer(4))), TypeError, /of type DataView/],
   [() => SOLVER.distances(() => 0), TypeError, /^the source is a function/],
   [() => SOLVER.distances(5n), TypeError, /^the source is 5n/],
   [() => SOLVER.distances(NaN), TypeError, /^the source is NaN/],
-  // eslint-disable-next-line no-sparse-arrays
   [() => SOLVER.distances([0, , 1]), TypeError, /^source 1 is undefined/],
-  [() => SOLVER.distances(new Float64Array(3)), TypeError, /^sources are a Float64Array; they must/],
+  [
+    () => SOLVER.distances(new Float64Array(3)),
+    TypeError,
+    /^sources are a Float64Array; they must/,
+  ],
   [() => SOLVER.distances(new BigInt64Array(1)), TypeError, /^sources are a BigInt64Array/],
   [() => SOLVER.distances(transferred(Int32Array.of(0))), TypeError, /^sources were transferred/],
   [
@@ -205,12 +216,20 @@ const cases = [
   [() => SOLVER.distances(0, { maxDistance: 1 }), TypeError, /there is no option 'maxDistance'/],
   [() => SOLVER.distances(0, { maximumDistance: NaN }), RangeError, /maximumDistance is NaN/],
   [() => SOLVER.distances(0, new Map()), TypeError, /the options are an object of type Map/],
-  [() => SOLVER.distances(0, { nearest: 'false' }), TypeError, /nearest is 'false'; it must be true/],
+  [
+    () => SOLVER.distances(0, { nearest: 'false' }),
+    TypeError,
+    /nearest is 'false'; it must be true/,
+  ],
   [() => SOLVER.distances(0, { predecessors: 1 }), TypeError, /predecessors is 1; it must be true/],
   [() => SOLVER.voronoi(0, { directionToSource: 'no' }), TypeError, /directionToSource is 'no'/],
   [() => SOLVER.path(0, 1, { straighten: 'no' }), TypeError, /straighten is 'no'/],
   [() => SOLVER.matrix(0, { symmetric: 0 }), TypeError, /symmetric is 0; it must be true or false/],
-  [() => SOLVER.gradient(new Float64Array(16), { k: 1 }), TypeError, /no option 'k'; there are none/],
+  [
+    () => SOLVER.gradient(new Float64Array(16), { k: 1 }),
+    TypeError,
+    /no option 'k'; there are none/,
+  ],
   [() => SOLVER.isolines(new Float64Array(16), 1, { k: 1 }), TypeError, /there is no option 'k'/],
   [() => SOLVER.locate([1, 2, 3], { k: 1 }), TypeError, /there is no option 'k'/],
   [() => SOLVER.path(0, 99), RangeError, /target is vertex 99/],
@@ -284,6 +303,9 @@ test('a file that is none', async () => {
   const type = (message) => ({ name: 'TypeError', message });
   await assert.rejects(loadGeodesics({ wasmURL: 'x' }), type(/^there is no option 'wasmURL'; /));
   await assert.rejects(loadGeodesics({ warmUp: 'no' }), type(/^warmUp is 'no'; it must be true/));
-  await assert.rejects(loadGeodesics({ maximumMemory: '5000000' }), type(/^maximumMemory is '5000/));
+  await assert.rejects(
+    loadGeodesics({ maximumMemory: '5000000' }),
+    type(/^maximumMemory is '5000/),
+  );
   await assert.rejects(loadGeodesics({ wasmModule: 0 }), type(/must be a WebAssembly.Module/));
 });

@@ -78,10 +78,7 @@ test('errors, and progress', async () => {
 
 test('wrong arguments are the same errors', async () => {
   const { vertices, faces } = MESH;
-  const solvers = [
-    here.Solver.create(vertices, faces),
-    await there.Solver.create(vertices, faces),
-  ];
+  const solvers = [here.Solver.create(vertices, faces), await there.Solver.create(vertices, faces)];
   const fail = (run) =>
     Promise.resolve()
       .then(run)
