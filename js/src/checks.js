@@ -21,9 +21,12 @@ export function shown(value) {
   if (typeof value === 'bigint') return `${value}n`;
   if (typeof value === 'function') return 'a function';
   if (value === null || typeof value !== 'object') return String(value);
-  const names = Object.keys(value).join(', ');
-  const kind = Object.prototype.toString.call(value).slice('[object '.length, -1);
-  return isPlain(value) ? (names ? `{ ${names} }` : '{}') : `an object of type ${kind}`;
+  if (!isPlain(value))
+    return `an object of type ${Object.prototype.toString.call(value).slice('[object '.length, -1)}`;
+  const [first, ...others] = Object.keys(value);
+  if (first === undefined) return '{}';
+  const names = [first, ...others.slice(0, 5), ...(others.length > 5 ? ['...'] : [])];
+  return `{ ${names.join(', ')} }`;
 }
 
 /** The values as an argument of `Wasm.call`: typed arrays as they are, other ones converted. */
