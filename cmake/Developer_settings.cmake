@@ -7,11 +7,6 @@ if(APPROXIMATE_GEODESICS_WARNINGS)
                                                       -Werror)
 endif()
 
-# CGAL 6 warns of headers that have another name by now, and only the old one in CGAL 5.
-if(APPROXIMATE_GEODESICS_WARNINGS AND CGAL_VERSION VERSION_GREATER_EQUAL 6)
-  target_compile_options(developer_settings INTERFACE -Wno-error=cpp)
-endif()
-
 if(APPROXIMATE_GEODESICS_SANITIZERS)
   set(sanitizers -fsanitize=${APPROXIMATE_GEODESICS_SANITIZERS} -fno-sanitize-recover=all)
   target_compile_options(developer_settings INTERFACE ${sanitizers} -fno-omit-frame-pointer)

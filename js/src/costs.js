@@ -2,33 +2,40 @@
 
 import * as check from './checks.js';
 
-// Their numbers are those of `Solver_cost::Model`. Each has its parameters, and numbers of faces.
+// Their numbers are those of `Solver_cost::Model`. Each has its parameters, with default values, and
+// numbers of faces.
 const MODELS = [
-  ['hikingTime', ({ factor = 1 }) => [[factor]]],
-  ['walkingEnergy', () => [[]]],
-  ['driftTime', ({ velocities, speed }) => [[speed], velocities, 'velocities', 3]],
-  ['oneWay', ({ ways, cost = 1, smallestCosine = 0 }) => [[cost, smallestCosine], ways, 'ways', 3]],
-  ['tensorCost', ({ tensors }) => [[], tensors, 'tensors', 6]],
-  ['sampledCost', ({ samples, number }) => [[number], samples, 'samples', 6 + 2 * number]],
+  { name: 'hikingTime', parameters: { factor: 1 } },
+  { name: 'walkingEnergy', parameters: {} },
+  { name: 'driftTime', parameters: { speed: undefined }, ofFaces: 'velocities', width: () => 3 },
+  { name: 'oneWay', parameters: { cost: 1, smallestCosine: 0 }, ofFaces: 'ways', width: () => 3 },
+  { name: 'tensorCost', parameters: {}, ofFaces: 'tensors', width: () => 6 },
+  {
+    name: 'sampledCost',
+    parameters: { number: undefined },
+    ofFaces: 'samples',
+    width: ({ number }) => 6 + 2 * number,
+  },
 ];
 
 /** The arguments of C++: the number of the model, its parameters, and the numbers of all faces. */
 export function costArguments(costs) {
   if (costs == null) return [-1, null, null];
-  const model = MODELS.findIndex(([name]) => name === costs.model);
+  const model = MODELS.findIndex(({ name }) => name === costs.model);
   if (model < 0) {
-    const names = MODELS.map(([name]) => `'${name}'`).join(', ');
+    const names = MODELS.map(({ name }) => `'${name}'`).join(', ');
     throw new TypeError(`costs must be a function, or have a model of these: ${names}`);
   }
-  const [name, parts] = MODELS[model];
-  const [parameters, ofFaces, nameOfNumbers, width] = parts(costs);
-  for (const parameter of parameters) check.number(parameter, `a parameter of ${name}`);
+  const { name, parameters, ofFaces, width } = MODELS[model];
+  const names = ['model', ...Object.keys(parameters), ...(ofFaces ? [ofFaces] : [])];
+  check.named(costs, names, 'the costs', 'parameter');
+  const values = Object.entries(parameters).map(([key, byDefault]) =>
+    check.number(costs[key] ?? byDefault, `the ${key} of ${name}`),
+  );
   return [
     model,
-    Float64Array.from(parameters),
-    ofFaces === undefined && width === undefined
-      ? null
-      : check.numbers(ofFaces, nameOfNumbers, width),
+    Float64Array.from(values),
+    ofFaces ? check.numbers(costs[ofFaces], ofFaces, width(costs)) : null,
   ];
 }
 
@@ -36,6 +43,7 @@ export function costArguments(costs) {
 export function plainCosts(costs, vertices, faces) {
   if (typeof costs === 'function') return sampledCosts(costs, 32, vertices, faces);
   if (typeof costs?.function !== 'function') return costs;
+  check.named(costs, ['function', 'numberOfDirections'], 'the costs', 'parameter');
   return sampledCosts(costs.function, costs.numberOfDirections ?? 32, vertices, faces);
 }
 

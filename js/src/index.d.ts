@@ -50,7 +50,8 @@ export interface SolverConstructor {
 /**
  * Shortest distances and paths on a triangle mesh. Arrays that it returns are copies, which belong
  * to the caller. What cannot be right is a `RangeError` or a `TypeError`, which leaves the solver as
- * it was. An exception from `progress` ends a run, and is thrown by it.
+ * it was; so is an option that does not exist, or a source of another form. An exception from
+ * `progress` ends a run, and is thrown by it.
  */
 export interface Solver {
   readonly numberOfVertices: number;
@@ -103,8 +104,12 @@ export interface Solver {
   isolines(values: Numbers, level: number): Float64Array[];
   isolines(values: Numbers, levels: Numbers): Float64Array[][];
 
-  /** The nearest points of the surface to points in space, three coordinates each. */
-  locate(points: Numbers): Location[];
+  /**
+   * The nearest points of the surface to points in space, three coordinates each: a location for one
+   * point, and an array of them for any other number. `[...].flat()` makes an array of both.
+   */
+  locate(point: readonly [number, number, number]): Location;
+  locate(points: Numbers): Location | Location[];
 
   /** The mesh, the options, and a graph that takes long to build, for `fromBytes`. */
   toBytes(): Uint8Array;

@@ -1,10 +1,12 @@
 // Geodesic distances and paths on triangle meshes. `index.d.ts` documents it.
 
+import { flag, loadOptions } from './checks.js';
 import { Solver } from './solver.js';
 import { warmUp } from './warm_up.js';
 import { Wasm } from './wasm.js';
 
 export async function loadGeodesics(options = {}) {
+  const isToWarmUp = flag(loadOptions(options).warmUp, 'warmUp');
   const wasm = await Wasm.load(await compile(options), options.maximumMemory);
   const geodesics = {
     version: new TextDecoder().decode(wasm.call('version', []).arrays[0]),
@@ -15,13 +17,13 @@ export async function loadGeodesics(options = {}) {
       return wasm.memory;
     },
   };
-  if (options.warmUp) await warmUp(geodesics);
+  if (isToWarmUp) await warmUp(geodesics);
   return geodesics;
 }
 
 async function compile({ wasmModule, wasmBinary, wasmUrl }) {
-  if (wasmModule) return wasmModule;
-  if (wasmBinary) return WebAssembly.compile(wasmBinary);
+  if (wasmModule != null) return wasmModule;
+  if (wasmBinary != null) return WebAssembly.compile(wasmBinary);
   // Bundlers know this form of the address of a file, and copy the file.
   const url = wasmUrl ?? new URL('./approximate_geodesics.wasm', import.meta.url);
   if (globalThis.process?.versions?.node && new URL(url).protocol === 'file:') {

@@ -1,25 +1,22 @@
 // Sources and targets, as `points()` in `calls.h` reads them: six numbers each.
 
-import { integer, number } from './checks.js';
+import { integer, number, sequence, shown } from './checks.js';
 
 const [VERTEX, EDGE, FACE] = [0, 1, 2];
 const NUMBERS_PER_POINT = 6;
 
-const isOne = (values) =>
-  values === null || typeof values !== 'object' || 'face' in values || 'edge' in values;
-
 export const numberOfPoints = (encoded) => encoded.length / NUMBERS_PER_POINT;
 
 export function onePoint(value, name) {
-  if (!isOne(value))
+  if (sequence(value, `${name}s`))
     throw new TypeError(`the ${name} must be one point, and not a sequence of them`);
   return encoded([value], () => `the ${name}`);
 }
 
 /** One or several. */
 export function points(values, name) {
-  if (isOne(values)) return onePoint(values, name);
-  return encoded(ArrayBuffer.isView(values) ? values : Array.from(values), (i) => `${name} ${i}`);
+  const several = sequence(values, `${name}s`);
+  return several ? encoded(several, (i) => `${name} ${i}`) : onePoint(values, name);
 }
 
 function encoded(points, name) {
@@ -31,18 +28,20 @@ function encoded(points, name) {
 
 function numbersOf(point, name) {
   if (typeof point === 'number') return [VERTEX, integer(point, name)];
-  if (point?.face !== undefined) {
-    const face = integer(point.face, `the face of ${name}`);
+  const { face, edge } = point ?? {};
+  if (face !== undefined && edge === undefined) {
+    integer(face, `the face of ${name}`);
     return [FACE, face, 0, ...barycentric(point.coordinates, name)];
   }
-  if (point?.edge !== undefined) {
-    const ends = sequence(point.edge, 2, `${name} must be on an edge of two vertices`);
+  if (edge !== undefined && face === undefined) {
+    const ends = listOf(2, edge, `${name} must be on an edge of two vertices`);
     ends.forEach((vertex) => integer(vertex, `a vertex of the edge of ${name}`));
     const t = parameter(point.parameter, name);
     return [EDGE, ...ends, 1 - t, t, 0];
   }
   throw new TypeError(
-    `${name} is ${String(point)}; it must be a vertex, or a point of a face or an edge`,
+    `${name} is ${shown(point)}; it must be a vertex, or a point { face, coordinates } of a face, ` +
+      'or { edge, parameter } on an edge',
   );
 }
 
@@ -57,7 +56,7 @@ function parameter(t, name) {
 /** Coordinates whose sum is 1, without what can only be rounding errors of `Float32Array`. */
 function barycentric(given, name) {
   const tolerance = 1e-6;
-  const coordinates = sequence(given, 3, `${name} must have three barycentric coordinates`);
+  const coordinates = listOf(3, given, `${name} must have three barycentric coordinates`);
   const sum = coordinates.reduce((a, b) => a + number(b, `a coordinate of ${name}`), 0);
   if (!(Math.abs(sum - 1) <= tolerance && coordinates.every((x) => x >= -tolerance)))
     throw new RangeError(
@@ -70,7 +69,7 @@ function barycentric(given, name) {
   return positive.map((x) => x / total);
 }
 
-function sequence(values, size, message) {
+function listOf(size, values, message) {
   const result = values != null && typeof values === 'object' ? Array.from(values) : [];
   if (result.length === size) return result;
   throw new TypeError(message);

@@ -32,7 +32,8 @@ export class Solver {
     return new this(...parameters);
   }
 
-  static fromBytes(bytes) {
+  static fromBytes(bytes, options = {}) {
+    check.options(options, []);
     return new this(FROM_BYTES, check.bytes(bytes, 'bytes'));
   }
 
@@ -52,9 +53,9 @@ export class Solver {
     const parameters = [
       points(sources, 'source'),
       check.distance(maximumDistance ?? Infinity, 'maximumDistance'),
-      Boolean(directionToSource),
-      Boolean(nearest),
-      Boolean(predecessors),
+      check.flag(directionToSource, 'directionToSource'),
+      check.flag(nearest, 'nearest'),
+      check.flag(predecessors, 'predecessors'),
       Boolean(progress),
     ];
     const { arrays } = this.#call('distances', parameters, progress);
@@ -69,7 +70,7 @@ export class Solver {
     const parameters = [
       onePoint(source, 'source'),
       onePoint(target, 'target'),
-      Boolean(straighten),
+      check.flag(straighten, 'straighten'),
       Boolean(progress),
     ];
     const { value, arrays } = this.#call('path', parameters, progress);
@@ -90,8 +91,8 @@ export class Solver {
       !isDense,
       check.distance(maximumDistance ?? Infinity, 'maximumDistance'),
       k == null ? 0 : check.size(k, 'k', 1),
-      Boolean(directionToSource),
-      Boolean(symmetric),
+      check.flag(directionToSource, 'directionToSource'),
+      check.flag(symmetric, 'symmetric'),
       Boolean(progress),
     ];
     const { arrays } = this.#call('matrix', parameters, progress);
@@ -108,7 +109,11 @@ export class Solver {
   voronoi(sources, options = {}) {
     const names = ['directionToSource', 'progress'];
     const { directionToSource, progress } = check.options(options, names);
-    const parameters = [points(sources, 'source'), Boolean(directionToSource), Boolean(progress)];
+    const parameters = [
+      points(sources, 'source'),
+      check.flag(directionToSource, 'directionToSource'),
+      Boolean(progress),
+    ];
     return this.#call('voronoi', parameters, progress).arrays[0];
   }
 
@@ -123,11 +128,13 @@ export class Solver {
     return { points: arrays[0], radius: value };
   }
 
-  gradient(values) {
+  gradient(values, options = {}) {
+    check.options(options, []);
     return this.#call('gradient', [this.#values(values)]).arrays[0];
   }
 
-  isolines(values, levels) {
+  isolines(values, levels, options = {}) {
+    check.options(options, []);
     const numbers = this.#values(values);
     const lines = (level, name) =>
       this.#call('isolines', [numbers, check.finite(level, name)]).arrays;
@@ -136,13 +143,15 @@ export class Solver {
       : Array.from(check.numbers(levels, 'levels')[0], (level, i) => lines(level, `level ${i}`));
   }
 
-  locate(points) {
+  locate(points, options = {}) {
+    check.options(options, []);
     const [faces, numbers] = this.#call('locate', [check.numbers(points, 'points', 3)]).arrays;
-    return Array.from(faces, (face, i) => ({
+    const locations = Array.from(faces, (face, i) => ({
       face,
       coordinates: Array.from(numbers.subarray(4 * i, 4 * i + 3)),
       distance: numbers[4 * i + 3],
     }));
+    return locations.length === 1 ? locations[0] : locations;
   }
 
   toBytes() {
@@ -223,7 +232,7 @@ function solverArguments(vertices, faces, options) {
     faceWeights == null ? null : check.numbers(faceWeights, 'faceWeights', { size: numberOfFaces }),
     barriers == null ? null : [check.integers(barriers, 'barriers', 2)[0], Int32Array],
     ...costArguments(plainCosts(costs, coordinates[0], corners[0])),
-    Boolean(acceptWeakerBound),
+    check.flag(acceptWeakerBound, 'acceptWeakerBound'),
     maximumNumberOfPoints == null
       ? 0
       : check.size(maximumNumberOfPoints, 'maximumNumberOfPoints', 1),

@@ -1,5 +1,7 @@
 // The WebAssembly module: how it is loaded, and how its functions are called.
 
+import { number } from './checks.js';
+
 // The types of results, and the classes of errors, by their numbers in `calls.h`.
 const TYPES = [Float64Array, Int32Array, Uint8Array];
 const ERRORS = [RangeError, Error, Error, Error];
@@ -18,7 +20,7 @@ export class Wasm {
   registry = new FinalizationRegistry((solver) => this.#functions.destroy(solver));
 
   static async load(compiled, maximumMemory = LARGEST_MEMORY) {
-    if (!(maximumMemory >= FIRST_MEMORY))
+    if (!(number(maximumMemory, 'maximumMemory') >= FIRST_MEMORY))
       throw new RangeError(
         `maximumMemory is ${maximumMemory}; it must be at least ${FIRST_MEMORY}`,
       );

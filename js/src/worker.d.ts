@@ -94,7 +94,8 @@ export interface WorkerSolver {
   gradient(values: Numbers, options?: Transfer): Promise<Float64Array>;
   isolines(values: Numbers, level: number, options?: Transfer): Promise<Float64Array[]>;
   isolines(values: Numbers, levels: Numbers, options?: Transfer): Promise<Float64Array[][]>;
-  locate(points: Numbers, options?: Transfer): Promise<Location[]>;
+  locate(point: readonly [number, number, number], options?: Transfer): Promise<Location>;
+  locate(points: Numbers, options?: Transfer): Promise<Location | Location[]>;
   toBytes(): Promise<Uint8Array>;
   mesh(): Promise<Mesh>;
   delete(): Promise<void>;

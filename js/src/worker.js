@@ -1,11 +1,13 @@
 // The same in a worker: calls become messages, and results promises. `worker.d.ts` documents it.
 
-import { integers, numbers } from './checks.js';
+import * as check from './checks.js';
 import { plainCosts } from './costs.js';
 
-export async function loadGeodesics({ worker, wasmUrl, ...options } = {}) {
+export async function loadGeodesics(given = {}) {
+  const { worker, ...options } = check.loadOptions(given, 'worker');
+  if (options.wasmUrl != null)
+    options.wasmUrl = new URL(options.wasmUrl, globalThis.document?.baseURI).href;
   const port = new Port(worker ?? (await startWorker()));
-  if (wasmUrl) options.wasmUrl = new URL(wasmUrl, globalThis.document?.baseURI).href;
   try {
     const version = await port.call('load', [], options);
     return {
@@ -42,6 +44,8 @@ class Port {
   registry = new FinalizationRegistry((solver) => this.call('delete', [solver]).catch(() => {}));
 
   constructor(worker) {
+    if (typeof worker.postMessage !== 'function')
+      throw new TypeError(`worker is ${check.shown(worker)}; it must be a worker`);
     this.#worker = worker;
     const listen = (worker.addEventListener ?? worker.on).bind(worker);
     listen('message', (message) => this.#receive(message.data ?? message));
@@ -52,12 +56,13 @@ class Port {
   }
 
   /** Functions cannot be sent: `progress` is called here. */
-  call(verb, parameters = [], { progress, transfer = [], ...options } = {}) {
+  call(verb, parameters = [], given = {}) {
     return new Promise((resolve, reject) => {
       if (this.#end) throw this.#end;
+      const { progress, transfer, ...options } = check.options(given); // the worker knows the names
       const id = ++this.#lastCall;
       const message = { id, verb, parameters, options, hasProgress: progress != null };
-      this.#worker.postMessage(message, transfer);
+      this.#worker.postMessage(message, transfer ?? []);
       this.#calls.set(id, { resolve, reject, progress });
     });
   }
@@ -90,17 +95,19 @@ class WorkerSolver {
   #solver; // its number in the worker
 
   constructor({ solver, ...properties }) {
+    if (typeof solver !== 'number') throw new TypeError('`create` makes a solver in a worker');
     this.#solver = solver;
     Object.assign(this, properties);
     this.#port.registry.register(this, solver, this);
   }
 
-  static async create(vertices, faces, { costs, ...options } = {}) {
-    if (costs != null)
+  static async create(vertices, faces, given = {}) {
+    const options = { ...check.options(given) };
+    if (options.costs != null)
       options.costs = plainCosts(
-        costs,
-        numbers(vertices, 'vertices', 3)[0],
-        integers(faces, 'faces', 3)[0],
+        options.costs,
+        check.numbers(vertices, 'vertices', 3)[0],
+        check.integers(faces, 'faces', 3)[0],
       );
     return new this(await this.port.call('create', [vertices, faces], options));
   }

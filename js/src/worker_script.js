@@ -19,7 +19,7 @@ const calls = {
   },
   memoryOfAll: () => geodesics.memory,
   create: (options, vertices, faces) => keep(new geodesics.Solver(vertices, faces, options)),
-  fromBytes: (options, bytes) => keep(geodesics.Solver.fromBytes(bytes)),
+  fromBytes: (options, bytes) => keep(geodesics.Solver.fromBytes(bytes, options)),
   delete(options, solver) {
     solvers.get(solver)?.delete();
     solvers.delete(solver);

@@ -14,6 +14,10 @@ const changed = (array, place, ...values) => {
   result.set(values, place);
   return result;
 };
+const transferred = (array) => {
+  structuredClone(array.buffer, { transfer: [array.buffer] });
+  return array;
+};
 const SOLVER = new Solver(vertices, faces, { epsilon: 0.1 });
 const of = (options) => () => new Solver(vertices, faces, options);
 
@@ -45,6 +49,7 @@ const cases = [
   [() => new Solver('abc', faces), TypeError, /vertices must be a typed array/],
   [() => new Solver([1, 2, '3'], faces), TypeError, /vertices\[2\] is '3'; it must be a number/],
   [() => new Solver(new BigInt64Array(3), faces), TypeError, /vertices are a BigInt64Array/],
+  [() => new Solver(transferred(vertices.slice()), []), TypeError, /^vertices were transferred/],
   [() => new Solver(vertices), TypeError, /faces must be a typed array/],
   // options
   [of({ epsilon: -1 }), RangeError, /^epsilon is -1/],
@@ -52,6 +57,15 @@ const cases = [
   [of({ epsilon: '0.1' }), TypeError, /epsilon is '0.1'; it must be a number/],
   [of({ eps: 0.1 }), TypeError, /there is no option 'eps'; there are epsilon, /],
   [of(0.1), TypeError, /the options are 0.1/],
+  [of(null), TypeError, /the options are null/],
+  [of([]), TypeError, /the options are an object of type Array; they must be a plain object/],
+  [of(new Map([['epsilon', 0.1]])), TypeError, /the options are an object of type Map/],
+  [of(Promise.resolve({})), TypeError, /the options are an object of type Promise/],
+  [of({ epsilon: Infinity }), RangeError, /epsilon is inf/],
+  [of({ acceptWeakerBound: 'no' }), TypeError, /acceptWeakerBound is 'no'; it must be true or/],
+  [of({ maximumNumberOfPoints: NaN }), TypeError, /maximumNumberOfPoints is NaN/],
+  [of({ barriers: new Float64Array(2) }), TypeError, /barriers are a Float64Array/],
+  [of({ faceWeights: new Float64Array(18).fill(NaN) }), RangeError, /face 0 has weight nan/],
   [of({ faceWeights: [1, 2] }), RangeError, /faceWeights have 2 numbers; there must be 18/],
   [
     of({ epsilon: 0.1, faceWeights: changed(new Float64Array(18).fill(1), 4, -1) }),
@@ -82,8 +96,35 @@ const cases = [
   [
     of({ costs: { model: 'driftTime', velocities: [1, 0, 0] } }),
     TypeError,
-    /a parameter of driftTime is undefined/,
+    /the speed of driftTime is undefined/,
   ],
+  [of({ costs: 'hikingTime' }), TypeError, /costs must be a function, or have a model/],
+  [
+    of({ costs: { model: 'hikingTime', factr: 2 } }),
+    TypeError,
+    /there is no parameter 'factr'; there are model, factor$/,
+  ],
+  [
+    of({ costs: { model: 'oneWay', ways: [], smallest_cosine: 0 } }),
+    TypeError,
+    /there is no parameter 'smallest_cosine'/,
+  ],
+  [
+    of({ costs: { function: () => 1, directions: 8 } }),
+    TypeError,
+    /there is no parameter 'directions'; there are function, numberOfDirections$/,
+  ],
+  [
+    of({ epsilon: 0.1, costs: { model: 'hikingTime', factor: NaN } }),
+    RangeError,
+    /the factor of hiking speeds is nan/,
+  ],
+  [
+    of({ epsilon: 0.1, costs: { model: 'hikingTime', factor: '2' } }),
+    TypeError,
+    /the factor of hikingTime is '2'; it must be a number/,
+  ],
+  [of({ costs: () => NaN }), RangeError, /face 0 has the cost NaN in the direction/],
   [of({ costs: () => -1 }), RangeError, /face 0 has the cost -1 in the direction/],
   [of({ costs: () => 'x' }), TypeError, /the cost of face 0 is 'x'/],
   // points
@@ -100,6 +141,50 @@ const cases = [
   [() => SOLVER.distances(), TypeError, /the source is undefined/],
   [() => SOLVER.distances(null), TypeError, /the source is null/],
   [() => SOLVER.distances([0, null]), TypeError, /source 1 is null/],
+  [
+    () => SOLVER.distances({ vertex: 0 }),
+    TypeError,
+    /^the source is { vertex }; it must be a vertex, or a point { face, coordinates } of a face, or/,
+  ],
+  [() => SOLVER.distances({}), TypeError, /^the source is {}; it must be/],
+  [() => SOLVER.distances(Object.create(null)), TypeError, /^the source is {}; it must be/],
+  [() => SOLVER.distances([{ vertx: 0 }]), TypeError, /^source 0 is { vertx }; it must be/],
+  [() => SOLVER.distances({ length: 1, 0: 0 }), TypeError, /^the source is { 0, length }/],
+  [() => SOLVER.distances([[0, 1]]), TypeError, /^source 0 is an object of type Array/],
+  [() => SOLVER.distances(new Map([[0, 1]])), TypeError, /^source 0 is an object of type Array/],
+  [
+    () => SOLVER.distances(Promise.resolve(0)),
+    TypeError,
+    /^the source is an object of type Promise/,
+  ],
+  [() => SOLVER.distances(new Number(0)), TypeError, /^the source is an object of type Number/],
+  [
+    () => SOLVER.distances(new ArrayBuffer(4)),
+    TypeError,
+    /^the source is an object of type ArrayB/,
+  ],
+  [() => SOLVER.distances(new DataView(new ArrayBuffer(4))), TypeError, /of type DataView/],
+  [() => SOLVER.distances(() => 0), TypeError, /^the source is a function/],
+  [() => SOLVER.distances(5n), TypeError, /^the source is 5n/],
+  [() => SOLVER.distances(NaN), TypeError, /^the source is NaN/],
+  [() => SOLVER.distances([0, , 1]), TypeError, /^source 1 is undefined/],
+  [
+    () => SOLVER.distances(new Float64Array(3)),
+    TypeError,
+    /^sources are a Float64Array; they must/,
+  ],
+  [() => SOLVER.distances(new BigInt64Array(1)), TypeError, /^sources are a BigInt64Array/],
+  [() => SOLVER.distances(transferred(Int32Array.of(0))), TypeError, /^sources were transferred/],
+  [
+    () => SOLVER.distances({ face: 0, coordinates: [1, 0, 0], edge: [0, 1], parameter: 0 }),
+    TypeError,
+    /^the source is { face, coordinates, edge, parameter }/,
+  ],
+  [() => SOLVER.path(0, { vertex: 1 }), TypeError, /^the target is { vertex }/],
+  [() => SOLVER.path(0, [1]), TypeError, /the target must be one point/],
+  [() => SOLVER.voronoi({}), TypeError, /^the source is {}/],
+  [() => SOLVER.matrix(0, { targets: {} }), TypeError, /^the target is {}/],
+  [() => SOLVER.farthestPoints(1, { progress() {} }), TypeError, /^the source is { progress }/],
   [() => SOLVER.distances(2 ** 70), RangeError, /which is too large/],
   [() => SOLVER.distances({ face: 18, coordinates: [1, 0, 0] }), RangeError, /source 0 is face 18/],
   [() => SOLVER.distances({ face: 0 }), TypeError, /the source must have three barycentric/],
@@ -129,6 +214,24 @@ const cases = [
   [() => SOLVER.distances(0, { maximumDistance: -1 }), RangeError, /maximumDistance is -1/],
   [() => SOLVER.distances(0, { maximumDistance: '1' }), TypeError, /maximumDistance is '1'/],
   [() => SOLVER.distances(0, { maxDistance: 1 }), TypeError, /there is no option 'maxDistance'/],
+  [() => SOLVER.distances(0, { maximumDistance: NaN }), RangeError, /maximumDistance is NaN/],
+  [() => SOLVER.distances(0, new Map()), TypeError, /the options are an object of type Map/],
+  [
+    () => SOLVER.distances(0, { nearest: 'false' }),
+    TypeError,
+    /nearest is 'false'; it must be true/,
+  ],
+  [() => SOLVER.distances(0, { predecessors: 1 }), TypeError, /predecessors is 1; it must be true/],
+  [() => SOLVER.voronoi(0, { directionToSource: 'no' }), TypeError, /directionToSource is 'no'/],
+  [() => SOLVER.path(0, 1, { straighten: 'no' }), TypeError, /straighten is 'no'/],
+  [() => SOLVER.matrix(0, { symmetric: 0 }), TypeError, /symmetric is 0; it must be true or false/],
+  [
+    () => SOLVER.gradient(new Float64Array(16), { k: 1 }),
+    TypeError,
+    /no option 'k'; there are none/,
+  ],
+  [() => SOLVER.isolines(new Float64Array(16), 1, { k: 1 }), TypeError, /there is no option 'k'/],
+  [() => SOLVER.locate([1, 2, 3], { k: 1 }), TypeError, /there is no option 'k'/],
   [() => SOLVER.path(0, 99), RangeError, /target is vertex 99/],
   [() => SOLVER.path([0, 1], 2), TypeError, /the source must be one point/],
   [() => SOLVER.matrix([0], { k: 0 }), RangeError, /k is 0/],
@@ -161,6 +264,7 @@ const cases = [
   [() => SOLVER.locate([1, 2, Infinity]), RangeError, /point 0 is \(1, 2, inf\)/],
   [() => new Solver([], []).locate([1, 2, 3]), RangeError, /no faces to locate points in/],
   // bytes
+  [() => Solver.fromBytes(SOLVER.toBytes(), { epsilon: 0 }), TypeError, /no option 'epsilon'/],
   [() => Solver.fromBytes('x'), TypeError, /bytes must be a Uint8Array/],
   [() => Solver.fromBytes(new Uint8Array(100)), RangeError, /does not contain a solver/],
   [() => Solver.fromBytes(SOLVER.toBytes().slice(0, -1)), RangeError, /truncated/],
@@ -196,4 +300,12 @@ test('a file that is none', async () => {
     loadGeodesics({ wasmUrl: new URL('none.wasm', import.meta.url).href }),
     /ENOENT/,
   );
+  const type = (message) => ({ name: 'TypeError', message });
+  await assert.rejects(loadGeodesics({ wasmURL: 'x' }), type(/^there is no option 'wasmURL'; /));
+  await assert.rejects(loadGeodesics({ warmUp: 'no' }), type(/^warmUp is 'no'; it must be true/));
+  await assert.rejects(
+    loadGeodesics({ maximumMemory: '5000000' }),
+    type(/^maximumMemory is '5000/),
+  );
+  await assert.rejects(loadGeodesics({ wasmModule: 0 }), type(/must be a WebAssembly.Module/));
 });

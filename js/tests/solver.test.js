@@ -86,7 +86,9 @@ test('points of faces and on edges', () => {
   near(solver.distances(onEdge).distances[0], 0.25);
   const inFace = { face: 0, coordinates: [0.5, 0.25, 0.25] };
   near(solver.path(onEdge, inFace).length, 0.25);
-  const { nearest } = solver.distances([inFace, SIDE ** 2 - 1, onEdge], { nearest: true });
+  const sources = [inFace, SIDE ** 2 - 1, onEdge];
+  const { nearest } = solver.distances(sources, { nearest: true });
+  assert.deepEqual(solver.distances(new Set(sources), { nearest: true }).nearest, nearest);
   assert.deepEqual([nearest[0], nearest[SIDE], nearest[SIDE ** 2 - 1]], [2, 0, 1]);
   near(
     solver.distances({ face: 0, coordinates: Float32Array.of(0.1, 0.2, 0.7) }).distances[0],
@@ -157,6 +159,11 @@ test('the nearest points of the surface can be sources', () => {
   const [a, b] = solver.locate([1.25, 2.5, 3, 1.25, 4.5, -1]);
   assert.deepEqual([a.distance, b.distance], [3, 1]);
   near(solver.path(a, b).length, 2);
+  const c = solver.locate([1.25, 2.5, 3]); // one point has one location
+  assert.deepEqual(c, a);
+  near(solver.path(c, solver.locate(Float64Array.of(4.25, 6.5, 0))).length, 5);
+  near(solver.distances([c, b]).distances[0], Math.hypot(1.25, 2.5));
+  assert.deepEqual(solver.locate([]), []);
 });
 
 test('weights, barriers and directional costs', () => {

@@ -23,8 +23,9 @@ export async function here(): Promise<void> {
   const { points, length } = solver.path({ face: 0, coordinates: [1, 0, 0] }, 2, {
     straighten: true,
   });
-  const [a] = solver.locate(points);
-  solver.distances(a);
+  const [a] = [solver.locate(points)].flat();
+  solver.path(a, solver.locate([1, 2, 3]));
+  solver.distances(solver.locate(points));
   const lines: Float64Array[] = solver.isolines(distances, 1);
   const more: Float64Array[][] = solver.isolines(distances, [1, 2]);
   const { starts, columns } = solver.matrix(Int32Array.of(0), { k: 1 });
@@ -44,6 +45,10 @@ export async function here(): Promise<void> {
   solver.epsilon = 1;
   // @ts-expect-error
   solver.distances({ edge: [0, 1] });
+  // @ts-expect-error
+  solver.distances({ vertex: 0 });
+  // @ts-expect-error
+  solver.path(solver.locate(points), 0);
 }
 
 export async function there(): Promise<void> {
@@ -55,6 +60,7 @@ export async function there(): Promise<void> {
   const bound: number = solver.errorBound;
   const size: number = await solver.memory;
   const lines: Float64Array[] = await solver.isolines(distances, 1);
+  await solver.path(await solver.locate([1, 2, 3]), 0);
   await solver.delete();
   terminate();
   console.log(bound, size, lines, predecessors[0]);

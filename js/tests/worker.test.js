@@ -22,7 +22,10 @@ test('same results, and properties', async () => {
     assert.deepEqual(await results(other), await results(solver));
     assert.deepEqual(await other.toBytes(), solver.toBytes());
     assert.deepEqual(await other.mesh(), solver.mesh());
-    assert.deepEqual(await other.locate([1, 2, 3]), solver.locate([1, 2, 3]));
+    for (const places of [[1, 2, 3], [1, 2, 3, 4, 5, 6], []])
+      assert.deepEqual(await other.locate(places), solver.locate(places));
+    const ends = [await other.locate([1, 2, 3]), await other.locate([9, 8, 7])];
+    assert.deepEqual(await other.path(...ends), solver.path(...ends));
     for (const name of ['numberOfVertices', 'numberOfFaces', 'epsilon', 'errorBound', 'memory'])
       assert.equal(await other[name], solver[name], name);
     assert.ok((await there.memory) > 0);
@@ -73,6 +76,56 @@ test('errors, and progress', async () => {
   await solver.distances(0);
 });
 
+test('wrong arguments are the same errors', async () => {
+  const { vertices, faces } = MESH;
+  const solvers = [here.Solver.create(vertices, faces), await there.Solver.create(vertices, faces)];
+  const fail = (run) =>
+    Promise.resolve()
+      .then(run)
+      .then(
+        () => assert.fail(`${run} did not fail`),
+        ({ name, message }) => ({ name, message }),
+      );
+  for (const call of [
+    (solver) => solver.distances({ vertex: 0 }),
+    (solver) => solver.distances({}),
+    (solver) => solver.distances([[0, 1]]),
+    (solver) => solver.distances(new Float64Array(3)),
+    (solver) => solver.distances(0, { nearst: true }),
+    (solver) => solver.distances(0, { nearest: 'no' }),
+    (solver) => solver.distances(0, new Map()),
+    (solver) => solver.distances(0, null),
+    (solver) => solver.distances(0, { progress: 1 }),
+    (solver) => solver.path(0, [1]),
+    (solver) => solver.matrix(0, { targets: {} }),
+    (solver) => solver.voronoi(0, { k: 1 }),
+    (solver) => solver.gradient(new Float64Array(1024), { transfr: [] }),
+    (solver) => solver.isolines(new Float64Array(1024), 1, { transfr: [] }),
+    (solver) => solver.locate([1, 2, 3], { transfr: [] }),
+    (solver) => solver.farthestPoints(1, {}),
+  ]) {
+    const [error, other] = await Promise.all(solvers.map((solver) => fail(() => call(solver))));
+    assert.deepEqual(other, error, String(call));
+    assert.equal(error.name, 'TypeError', String(call));
+  }
+  for (const options of [
+    { eps: 1 },
+    new Map(),
+    null,
+    { costs: { model: 'hikingTime', factr: 1 } },
+    { costs: { function: () => 1, directions: 8 } },
+  ]) {
+    const [error, other] = await Promise.all(
+      [here, there].map(({ Solver }) => fail(() => Solver.create(vertices, faces, options))),
+    );
+    assert.deepEqual(other, error);
+    assert.equal(error.name, 'TypeError');
+  }
+  const bytes = solvers[0].toBytes();
+  await assert.rejects(there.Solver.fromBytes(bytes, { epsilon: 0 }), /there is no option/);
+  assert.throws(() => new there.Solver(vertices, faces), /`create` makes a solver in a worker/);
+});
+
 test('a worker that is terminated fails all calls', async () => {
   const { Solver, terminate } = await loadWorker();
   const solver = await Solver.create(MESH.vertices, MESH.faces, { epsilon: 0 });
@@ -95,4 +148,7 @@ test('the module by its address', async () => {
 
 test('a worker that cannot load the module', async () => {
   await assert.rejects(loadWorker({ wasmBinary: new Uint8Array(8) }), /expected magic word/);
+  await assert.rejects(loadWorker({ wasmURL: 'x' }), /there is no option 'wasmURL'/);
+  await assert.rejects(loadWorker({ warmUp: 'no' }), /warmUp is 'no'/);
+  await assert.rejects(loadWorker({ worker: {} }), /worker is {}; it must be a worker/);
 });

@@ -3,7 +3,8 @@
 from __future__ import annotations
 
 import operator
-from typing import Any, Callable, Iterable, Optional, Tuple
+import reprlib
+from typing import Any, Callable, Iterable, Mapping, Optional, Tuple
 
 import numpy as np
 import numpy.typing as npt
@@ -23,6 +24,8 @@ def numbers(values: Any, name: str, shape: tuple[int, ...]) -> Floats:
     try:
         array = np.asanyarray(values)
         _check_kind(array, name, "fiubO", "real numbers")
+        if array.dtype.kind == "O" and any(isinstance(x, (str, bytes)) for x in array.flat):
+            raise ValueError("some are texts")
         result: Floats = _readable(array, np.dtype(np.float64))
     except (TypeError, ValueError) as error:
         raise ValueError(f"{name} cannot be read as numbers: {error}") from None
@@ -73,8 +76,8 @@ def points(values: Any, name: str) -> tuple[Points, bool]:
         return _arrays_of_faces(values, name), False
     if dimensions == [2, 1]:
         return _arrays_of_edges(values, name), False
-    if isinstance(values, (str, bytes)):
-        raise ValueError(f"the {name} {values!r} is not a point")
+    if isinstance(values, (str, bytes, bytearray, Mapping)):  # whose elements mean something else
+        raise ValueError(f"the {name} {reprlib.repr(values)} is not a point")
     if isinstance(values, Iterable) and not isinstance(values, (np.ndarray, list, tuple)):
         values = list(values)  # as that of a range
     if _has_any(values, _is_point_of_face):
@@ -83,6 +86,8 @@ def points(values: Any, name: str) -> tuple[Points, bool]:
         return _points_on_edges(values, name), False
     if _number_of_dimensions(values) == 0:
         return (np.array([_vertex(values, name)], dtype=np.int64), None), True
+    if _has_any(values, _is_bool):  # which NumPy makes integers of, if others are
+        raise ValueError(f"the {name} vertices must be integers, and some are bool")
     vertices = integers(values, f"the {name} vertices", (-1,))
     return (vertices.astype(np.int64, copy=False), None), False
 
@@ -148,14 +153,23 @@ def _check_sizes(values: npt.NDArray[Any], name: str) -> None:
 
 def _vertex(value: Any, name: str) -> int:
     try:
-        result = operator.index(value)
-        if isinstance(value, (bool, np.bool_)):
-            raise TypeError
+        result = index(value)
     except TypeError:
         raise ValueError(f"the {name} {value!r} is not a vertex, which is an integer") from None
     if abs(result) > _LARGEST:
         raise ValueError(f"the {name} is vertex {result}, which is too large")
     return result
+
+
+def index(value: Any) -> int:
+    """The integer that it is; a truth value is none."""
+    if _is_bool(value):
+        raise TypeError(f"{value} is a truth value")
+    return operator.index(value)
+
+
+def _is_bool(value: Any) -> bool:
+    return isinstance(value, (bool, np.bool_))
 
 
 def _number_of_dimensions(values: Any) -> int:

@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 import functools
-import operator
 import os
 from typing import Any, Callable, Iterator, Literal, Optional, Sequence, TypeVar, Union, overload
 
@@ -377,7 +376,10 @@ class Solver:
             Whether they are barriers from now on.
         """
         ends = _arrays.integers(edges, "edges", (-1, 2)).astype(np.int64, copy=False)
-        are_closed = np.ascontiguousarray(np.broadcast_to(np.asarray(closed, bool), len(ends)))
+        wanted = np.asarray(closed)
+        if wanted.dtype.kind != "b" and wanted.size > 0:  # NumPy finds 'no' true
+            raise ValueError(f"closed must be bool, and is {wanted.dtype}")
+        are_closed = np.ascontiguousarray(np.broadcast_to(wanted.astype(bool), len(ends)))
         self._solver.set_barriers(np.ascontiguousarray(ends), are_closed)
 
     # Lists of pairs
@@ -1257,7 +1259,7 @@ def _limit_of_points(number: Optional[int]) -> int:
 
 def _at_least(smallest: int, value: Any, name: str) -> int:
     try:
-        result = operator.index(value)
+        result = _arrays.index(value)
     except TypeError:
         raise TypeError(f"{name} is {value!r}; it must be an integer") from None
     if result < smallest:
@@ -1266,7 +1268,7 @@ def _at_least(smallest: int, value: Any, name: str) -> int:
 
 
 def _number(value: Any, name: str) -> float:
-    if isinstance(value, (str, bytes, bool)):
+    if isinstance(value, (str, bytes, bytearray, bool, np.bool_)):
         raise TypeError(f"{name} is {value!r}; it must be a number")
     try:
         return float(value)

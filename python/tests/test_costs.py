@@ -302,5 +302,8 @@ def test_doors_and_weights_that_change():
     assert np.isinf(solver.distances(0)[80])
     with pytest.raises(ValueError, match="barrier"):
         solver.set_barriers([(0, 1)], False)
+    for closed in ("no", 1, [0.5] * 8):
+        with pytest.raises(ValueError, match="closed must be bool"):
+            solver.set_barriers(wall, closed)
     with pytest.raises(ValueError, match="without face weights"):
         ag.Solver(VERTICES, FACES, 0.1).set_weights([3], [2])

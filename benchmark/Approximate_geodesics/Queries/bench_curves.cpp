@@ -12,9 +12,9 @@
 #include "output/Table.h"
 
 #include <CGAL/AABB_face_graph_triangle_primitive.h>
-#include <CGAL/AABB_traits.h>
 #include <CGAL/AABB_tree.h>
 #include <CGAL/Approximate_geodesics/Graphs/Saddle_vertex_graph.h>
+#include <CGAL/Approximate_geodesics/Mesh/internal/aabb_traits.h>
 #include <CGAL/Approximate_geodesics/Queries/isolines.h>
 #include <CGAL/Approximate_geodesics/Queries/offset_curves.h>
 #include <CGAL/Approximate_geodesics/Surface_mesh_shortest_path.h>
@@ -137,7 +137,7 @@ Spacing spacing_of(const Mesh& mesh,
                    const double step)
 {
   using Exact = AG::Surface_mesh_shortest_path<Mesh, AG::Saddle_vertex_graph>;
-  using Traits = CGAL::AABB_traits<Kernel, CGAL::AABB_face_graph_triangle_primitive<Mesh>>;
+  using Traits = CGAL::AABB_traits_3<Kernel, CGAL::AABB_face_graph_triangle_primitive<Mesh>>;
   constexpr std::size_t every = 41;
   Exact exact(mesh);
   exact.add_source_curve(source);

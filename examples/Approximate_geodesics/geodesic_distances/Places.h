@@ -7,11 +7,11 @@
 #include "../command_line/vertex_numbers.h"
 
 #include <CGAL/AABB_face_graph_triangle_primitive.h>
-#include <CGAL/AABB_traits.h>
 #include <CGAL/AABB_tree.h>
 #include <CGAL/Approximate_geodesics/Mesh/Source_curve.h>
 #include <CGAL/Approximate_geodesics/Mesh/Surface_locations.h>
 #include <CGAL/Approximate_geodesics/Mesh/Surface_point.h>
+#include <CGAL/Approximate_geodesics/Mesh/internal/aabb_traits.h>
 #include <CGAL/Polygon_mesh_processing/bbox.h>
 
 #include <algorithm>
@@ -56,7 +56,7 @@ class Place_finder
   using Point = Mesh::Point;
   using Locations = CGAL::Approximate_geodesics::Surface_locations<Mesh>;
   using AABB_tree =
-      CGAL::AABB_tree<CGAL::AABB_traits<Kernel, CGAL::AABB_face_graph_triangle_primitive<Mesh>>>;
+      CGAL::AABB_tree<CGAL::AABB_traits_3<Kernel, CGAL::AABB_face_graph_triangle_primitive<Mesh>>>;
 
 public:
   // Refuses what cannot be a place on any mesh. `option` is named in errors.

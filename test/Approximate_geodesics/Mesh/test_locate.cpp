@@ -6,8 +6,8 @@
 #include "meshes/surface_points.h"
 
 #include <CGAL/AABB_face_graph_triangle_primitive.h>
-#include <CGAL/AABB_traits.h>
 #include <CGAL/AABB_tree.h>
+#include <CGAL/Approximate_geodesics/Mesh/internal/aabb_traits.h>
 #include <CGAL/Approximate_geodesics/Surface_mesh_shortest_path.h>
 
 #include <gtest/gtest.h>
@@ -22,7 +22,7 @@ namespace {
 
 using namespace geodesics_test;
 using Paths = CGAL::Approximate_geodesics::Surface_mesh_shortest_path<Mesh>;
-using Tree_traits = CGAL::AABB_traits<Kernel, CGAL::AABB_face_graph_triangle_primitive<Mesh>>;
+using Tree_traits = CGAL::AABB_traits_3<Kernel, CGAL::AABB_face_graph_triangle_primitive<Mesh>>;
 using Tree = CGAL::AABB_tree<Tree_traits>;
 using Ray = Kernel::Ray_3;
 
@@ -229,7 +229,7 @@ TEST(Locate_precisely, with_other_points)
 {
   using Point_map = Mesh::Property_map<Vertex, Point>;
   using Primitive = CGAL::AABB_face_graph_triangle_primitive<Mesh, Point_map>;
-  using Traits = CGAL::AABB_traits<Kernel, Primitive>;
+  using Traits = CGAL::AABB_traits_3<Kernel, Primitive>;
   Mesh mesh = to_mesh(flat_grid(3, 3));
   const Point_map shifted = mesh.add_property_map<Vertex, Point>("v:shifted").first;
   for(const Vertex v : mesh.vertices())

@@ -8,8 +8,8 @@
 #include "oracles/known_distances.h"
 
 #include <CGAL/AABB_face_graph_triangle_primitive.h>
-#include <CGAL/AABB_traits.h>
 #include <CGAL/AABB_tree.h>
+#include <CGAL/Approximate_geodesics/Mesh/internal/aabb_traits.h>
 #include <CGAL/Approximate_geodesics/Queries/refined_path.h>
 #include <CGAL/Approximate_geodesics/Surface_mesh_shortest_path.h>
 #include <CGAL/approximate_geodesic_distances.h>
@@ -391,7 +391,7 @@ bool has_squares(const Mesh& mesh)
 TEST(Hostile_meshes, know_where_their_vertices_are)
 {
   using Paths = AG::Surface_mesh_shortest_path<Mesh>;
-  using Traits = CGAL::AABB_traits<Kernel, CGAL::AABB_face_graph_triangle_primitive<Mesh>>;
+  using Traits = CGAL::AABB_traits_3<Kernel, CGAL::AABB_face_graph_triangle_primitive<Mesh>>;
   for(const Hostile_mesh& row : accepted_meshes())
   {
     if(row.mesh.number_of_faces() == 0 || !has_squares(row.mesh))

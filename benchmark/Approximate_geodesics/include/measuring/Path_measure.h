@@ -9,8 +9,8 @@
 #include "meshes/Mesh.h"
 
 #include <CGAL/AABB_face_graph_triangle_primitive.h>
-#include <CGAL/AABB_traits.h>
 #include <CGAL/AABB_tree.h>
+#include <CGAL/Approximate_geodesics/Mesh/internal/aabb_traits.h>
 
 #include <cmath>
 #include <cstddef>
@@ -43,7 +43,7 @@ public:
 
 private:
   using Primitive = CGAL::AABB_face_graph_triangle_primitive<Mesh>;
-  using Tree = CGAL::AABB_tree<CGAL::AABB_traits<Kernel, Primitive>>;
+  using Tree = CGAL::AABB_tree<CGAL::AABB_traits_3<Kernel, Primitive>>;
 
   bool is_on_mesh(const Point& point) const
   {

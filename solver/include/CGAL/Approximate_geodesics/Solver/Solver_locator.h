@@ -9,10 +9,10 @@
 #include <CGAL/license/Approximate_geodesics.h>
 
 #include <CGAL/AABB_face_graph_triangle_primitive.h>
-#include <CGAL/AABB_traits.h>
 #include <CGAL/AABB_tree.h>
 #include <CGAL/Approximate_geodesics/Base/internal/messages.h>
 #include <CGAL/Approximate_geodesics/Mesh/Surface_locations.h>
+#include <CGAL/Approximate_geodesics/Mesh/internal/aabb_traits.h>
 #include <CGAL/Approximate_geodesics/Solver/Solver.h>
 #include <CGAL/Approximate_geodesics/Solver/Solver_options.h>
 #include <CGAL/Simple_cartesian.h>
@@ -86,7 +86,7 @@ class Solver_locator
   using Mesh = Solver::Mesh;
   using Locations = Surface_locations<Mesh>;
   using Primitive = AABB_face_graph_triangle_primitive<Mesh, internal::Scaled_points>;
-  using Tree = AABB_tree<AABB_traits<Kernel, Primitive>>;
+  using Tree = AABB_tree<AABB_traits_3<Kernel, Primitive>>;
 
 public:
   /// A point of the surface.
