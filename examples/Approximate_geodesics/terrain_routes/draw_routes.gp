@@ -29,7 +29,7 @@ set ylabel y_label
 set key above horizontal samplen 2 opaque fillcolor rgb '#b8b8b8'
 set format cb '%g'
 set cblabel cost_label offset 1.5
-set rmargin 4
+set rmargin (ratio > 1 ? 4 : 16)
 set cbrange [0:(largest > 0 ? largest : 1)]
 # blue to yellow through green: equal steps in OKLab, from dark to light
 if(colors eq 'rainbow') {

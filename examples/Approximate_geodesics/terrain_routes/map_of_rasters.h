@@ -4,6 +4,7 @@
 #include "../command_line/read_options.h"
 #include "Options.h"
 #include "rasters/Raster.h"
+#include "rasters/descriptions.h"
 #include "rasters/gdal.h"
 
 #include <CGAL/Approximate_geodesics/Graphs/Grid_graph.h>
@@ -126,6 +127,26 @@ inline void set_cell_size(const Options& options, const Raster_frame& frame, Gri
                       shape.columns > 2 * CGAL::Approximate_geodesics::Grid_graph::largest_reach();
 }
 
+// Refuses what is not on a globe.
+inline void check_extent(const Options& options, const Raster_frame& frame, const Grid_shape& shape)
+{
+  constexpr double pole = 90, round = 360, tolerance = 0.01; // of a cell
+  const double last = *shape.first_latitude - static_cast<double>(shape.rows) * shape.cell_height;
+  const auto is_above = [](const double value, const double limit, const double cell) {
+    return !(value <= limit + tolerance * cell);
+  };
+  if(is_above(*shape.first_latitude, pole, shape.cell_height) ||
+     is_above(-last, pole, shape.cell_height))
+    reject_raster(options.main_raster(),
+                  described_extent("latitudes go", frame.y, frame.y_step, frame.rows) +
+                      "; they must be from -90 to 90 degrees");
+  if(is_above(shape.width(), round, shape.cell_width))
+    reject_raster(options.main_raster(),
+                  described_extent("longitudes go", frame.x, frame.x_step, frame.columns) +
+                      ", more than once round; gdal_translate -srcwin leaves columns out that are "
+                      "there twice");
+}
+
 // Returns the shape of the grid, in meters or in degrees as far as that is known. Metrics are the
 // same for both signs of latitudes, so rows can run northward, too.
 inline Grid_shape shape_of(const Raster_frame& frame, const Options& options)
@@ -135,6 +156,8 @@ inline Grid_shape shape_of(const Raster_frame& frame, const Options& options)
   for(const double size : {result.cell_width, result.cell_height})
     if(!(size > 0 && std::isfinite(size)))
       reject_raster(options.main_raster(), "its cells have no size above 0");
+  if(result.first_latitude)
+    check_extent(options, frame, result);
   if(options.epsilon && result.first_latitude)
     reject_option("epsilon", "there is no bound where coordinates are in degrees; --cell-size W,H "
                              "gives cells a size in meters");

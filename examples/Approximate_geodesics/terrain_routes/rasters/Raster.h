@@ -5,6 +5,7 @@
 
 #include <CGAL/Approximate_geodesics/Graphs/Grid_shape.h>
 
+#include <array>
 #include <cstddef>
 #include <limits>
 #include <optional>
@@ -38,6 +39,10 @@ struct Raster_frame
   double x_step = 1, y_step = 1;
   bool is_on_map = false; // else the steps are 1
   Map_system system;
+
+  // The smallest and the largest ratio of lengths on the map to those on the ellipsoid, where a
+  // projection tells.
+  std::optional<std::array<double, 2>> stretch;
 };
 
 // What the values of a raster are.

@@ -83,6 +83,10 @@ described_map(const Raster_frame& frame,
     out << "; the first column follows the last one";
   const std::string in = with_blank(unit);
   out.precision(6);
+  constexpr double worth_telling = 0.01;
+  if(frame.stretch && std::max((*frame.stretch)[1] - 1, 1 - (*frame.stretch)[0]) > worth_telling)
+    out << "\nProjection: lengths on the map are " << (*frame.stretch)[0] << " to "
+        << (*frame.stretch)[1] << " times those on the ground";
   out << "\nCells: " << middle.width << in << " by " << middle.height << in
       << (shape.first_latitude ? " in the middle" : "")
       << (unit.empty() ? ", in the unit of the map"

@@ -54,7 +54,10 @@ public:
     find_masks();
     read_transform();
     if(const OGRSpatialReferenceH system = GDALGetSpatialRef(m_dataset.get()))
+    {
       m_frame.system = read_system(m_file, system);
+      m_frame.stretch = stretch_of(m_frame, system);
+    }
   }
 
 private:
