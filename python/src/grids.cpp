@@ -179,9 +179,8 @@ void add_grid(py::module_& module)
   py::class_<Grid_solver>(module, "Grid")
       .def(py::init(&make_grid), py::arg("rows_columns"), py::arg("cell_size"), py::arg("no_data"),
            py::arg("first_latitude"), py::arg("ellipsoid"), py::arg("is_periodic"),
-           py::arg("friction").noconvert(),
-           py::arg("heights").noconvert(), py::arg("epsilon"), py::arg("cost"),
-           py::arg("slope_costs").noconvert(), py::arg("progress"))
+           py::arg("friction").noconvert(), py::arg("heights").noconvert(), py::arg("epsilon"),
+           py::arg("cost"), py::arg("slope_costs").noconvert(), py::arg("progress"))
       .def("distances", &distances)
       .def("path", &path)
       .def("isolines", &isolines)
