@@ -48,8 +48,11 @@ static void run(const Options& options)
   const Output_files files(options);
   const Ignored_signal file_too_large{SIGXFSZ}; // an error tells that
   Costs costs(options);
-  std::vector<Grid_cell> sources = cells_of("--sources", options.sources, costs.frame());
-  std::vector<Grid_cell> targets = cells_of("--targets", options.targets, costs.frame());
+  const bool is_periodic = costs.shape().is_periodic;
+  std::vector<Grid_cell> sources =
+      cells_of("--sources", options.sources, costs.frame(), is_periodic);
+  std::vector<Grid_cell> targets =
+      cells_of("--targets", options.targets, costs.frame(), is_periodic);
   costs.read();
   if(options.snaps)
     std::cout << snap(costs, "source", sources) << snap(costs, "target", targets);

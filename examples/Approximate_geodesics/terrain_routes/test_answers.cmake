@@ -74,7 +74,7 @@ expect(0 "8 cells reached" ${PROGRAM} floats.npy --no-data -9999.9 -s cell:0,0 -
 string(REPEAT "1 " 360 row)
 string(REPEAT "${row}\n" 20 values)
 file(WRITE ${folder}/earth.asc "ncols 360\nnrows 20\nxllcorner -180\nyllcorner -10\ncellsize 1\n${values}")
-set(round earth.asc --degrees -s 179.5,0.5 -t -177.5,0.5 -b -i 500000)
+set(round earth.asc --degrees -s 179.5,0.5 -t 182.5,0.5 -b -i 500000)
 expect(0 "the first column follows the last one\n.*To cell 2,9: cost 333946, length 333946 m\n" ${PROGRAM}
        ${round} -o e)
 expect_contents(e_paths.geojson "{\"type\":\"MultiLineString\",\"coordinates\":...179.5,0.5.,.180,0.5..,\
