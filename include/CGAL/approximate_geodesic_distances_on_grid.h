@@ -169,7 +169,7 @@ void approximate_geodesic_distances_on_grid(
  * \param shape the numbers of columns and rows, the size of a cell, and the value for no data
  * \param friction the friction of the cells, row by row, or one number for all
  * \param points receives the points of the path, from the source to the target; none if there is no
- *        path
+ *        path. On a periodic grid, a path that leaves the grid goes on beyond it
  * \param source a cell, or a range of cells, of which the nearest is taken
  * \param target a cell
  * \param np an optional sequence of \ref bgl_namedparameters "Named Parameters" among `epsilon`,

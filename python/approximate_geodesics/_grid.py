@@ -19,6 +19,8 @@ _BY_NAME: dict[str, Callable[[], DirectionalCost]] = {
     "walking_energy": WalkingEnergy,
 }
 _STEEPEST, _SLOPES_PER_UNIT = 4, 8000
+_WGS_84 = (6378137.0, 1 / 298.257223563)
+_NO_VALUE = float(np.finfo(np.float64).max)  # stands for what a mask hides: no friction or height is so large
 
 
 class Grid:
@@ -33,7 +35,8 @@ class Grid:
         What a unit of length costs in each cell: not negative; infinity forbids a cell. By default,
         1 everywhere.
     heights : (rows, columns) array of float, optional
-        The heights of the centers, in the unit of lengths. Lines are on the surface then.
+        The heights of the centers, in the unit of lengths. Lines are on the surface then. Cells that
+        the mask of a masked array hides cannot be entered, nor those of friction.
     cell_size : float, or two
         The size of a cell; or its width, along a row, and its height.
     cost : str, DirectionalCost or callable, optional
@@ -47,20 +50,28 @@ class Grid:
         friction alone. Without it, there is no bound where friction changes; where it does not,
         distances are at most `error_on_equal_cells` too large, 0.3 % for most cells.
     no_data : float, optional
-        The friction or height of cells that cannot be entered; NaN by default.
+        The friction or height of cells that cannot be entered, rounded to the type of the array; NaN by
+        default.
     first_latitude : float, optional
         The latitude, in degrees, of the side where the first row begins. Then `cell_size` is in
         degrees, rows run south, and lengths are in meters.
+    periodic : bool
+        Whether columns go round: the first one follows the last one, as on a raster of the whole
+        Earth. It has at least 31 columns, and no `epsilon`; in degrees, these are 360.
+    ellipsoid : (float, float), optional
+        What latitudes are of: the radius of the equator, and the flattening, 0 for a sphere. By
+        default, WGS 84 in meters.
     progress : callable, optional
         Called while the graph is built.
 
     Raises
     ------
     ValueError
-        If the input cannot be right. The message names the cell, by its column and its row.
+        If the input cannot be right. The message names the cell, by its row and its column.
 
     A cell is a pair of a row and a column, as NumPy has it; cells are a sequence of pairs, or a (k, 2)
-    array. Points of paths and isolines are rows and columns, too, in which centers are integers.
+    array. Points of paths and isolines are rows and columns, too, in which centers are integers. If
+    columns go round, a path or an isoline goes on beyond the first or the last one.
 
     Several threads can call all methods at the same time. Ctrl-C ends searches.
 
@@ -79,24 +90,36 @@ class Grid:
         epsilon: Optional[float] = None,
         no_data: Optional[float] = float("nan"),
         first_latitude: Optional[float] = None,
+        periodic: bool = False,
+        ellipsoid: tuple[float, float] = _WGS_84,
         progress: Optional[Progress] = None,
     ) -> None:
         if friction is None and heights is None:
             raise TypeError("a Grid has friction, or heights, or both; there are none")
         if no_data is not None:
             no_data = _number(no_data, "no_data")
-        values = None if friction is None else _values(friction, "friction", (-1, -1), no_data)
-        wanted = (-1, -1) if values is None else values.shape
-        surface = None if heights is None else _values(heights, "heights", wanted, no_data)
+        hidden = no_data
+        if no_data is None and (np.ma.is_masked(friction) or np.ma.is_masked(heights)):
+            hidden = _NO_VALUE
+        values, surface = None, None
+        if friction is not None:
+            values = _values(friction, "friction", (-1, -1), no_data, hidden)
+        if heights is not None:
+            wanted = (-1, -1) if values is None else values.shape
+            surface = _values(heights, "heights", wanted, no_data, hidden)
         first = surface if values is None else values
         assert first is not None
         self._shape = (first.shape[0], first.shape[1])
+        self._cell_size = _two_numbers(cell_size, "cell_size")
+        self._first_latitude, self._periodic = first_latitude, bool(periodic)
         model, slope_costs = _native_cost(cost, first.size)
         self._grid = _native.Grid(
             self._shape,
-            _two_numbers(cell_size),
-            no_data,
+            self._cell_size,
+            hidden,
             None if first_latitude is None else _number(first_latitude, "first_latitude"),
+            _two_numbers(ellipsoid, "ellipsoid"),
+            bool(periodic),
             values,
             surface,
             _bound(epsilon),
@@ -168,7 +191,8 @@ class Grid:
         Parameters
         ----------
         sources : cell or cells
-            One that cannot be entered has the cost 0, and no other cell is reached from it.
+            One that cannot be entered has the cost 0, and no other cell is reached from it: see
+            `snap()`.
         return_nearest : bool
             Whether the nearest sources are returned, too.
         return_predecessors : bool
@@ -247,7 +271,7 @@ class Grid:
         Parameters
         ----------
         values : (rows, columns) array of float
-            No lines are next to cells whose values are infinite, NaN, or `no_data`.
+            No lines are next to cells whose values are infinite, NaN, masked, or `no_data`.
         levels : float, or (k,) array of float
         no_data : float, optional
             By default, none: that of friction can be 0, which is what sources cost.
@@ -260,7 +284,7 @@ class Grid:
         """
         if no_data is not None:
             no_data = _number(no_data, "no_data")
-        numbers = _values(values, "values", self._shape, no_data)
+        numbers = _values(values, "values", self._shape, no_data, float("nan"))
         if no_data is not None:
             numbers = np.where(numbers == no_data, np.nan, numbers)
         if np.ndim(levels) == 0:
@@ -269,6 +293,48 @@ class Grid:
             self._grid.isolines(numbers, float(level))
             for level in _arrays.numbers(levels, "levels", (-1,))
         ]
+
+    def snap(self, cells: Any) -> _arrays.Integers:
+        """The nearest cells that can be entered, such as for sources in the sea.
+
+        Parameters
+        ----------
+        cells : cell or cells
+
+        Returns
+        -------
+        (2,) or (k, 2) array of int64
+            Those that can be entered themselves stay.
+
+        Raises
+        ------
+        ValueError
+            If no cell can be entered, or a cell does not exist.
+        """
+        wanted = _cells(cells, "cells")
+        rows, columns = np.nonzero(self._grid.can_enter())
+        if len(rows) == 0:
+            raise ValueError("no cell of the grid can be entered")
+        result = wanted.copy()
+        for i, (row, column) in enumerate(wanted.tolist()):
+            if row >= self._shape[0] or column >= self._shape[1]:
+                raise ValueError(f"the cell {(row, column)} does not exist: the shape is {self._shape}")
+            nearest = int(np.argmin(self._distances_of_centers(row, column, rows, columns)))
+            result[i] = rows[nearest], columns[nearest]
+        return result[0] if np.ndim(cells) == 1 and len(wanted) == 1 else result
+
+    def _distances_of_centers(
+        self, row: int, column: int, rows: _arrays.Integers, columns: _arrays.Integers
+    ) -> _arrays.Floats:
+        """Straight ones, in units of `cell_size` along columns."""
+        width, height = self._cell_size
+        x: _arrays.Floats = np.abs(columns - column).astype(np.float64)
+        if self._periodic:
+            x = np.minimum(x, self._shape[1] - x)
+        if self._first_latitude is not None:
+            x *= np.cos(np.radians(self._first_latitude - (rows + row + 1) / 2 * height))
+        result: _arrays.Floats = np.hypot(x * width, (rows - row) * height)
+        return result
 
     @property
     def shape(self) -> tuple[int, int]:
@@ -295,10 +361,20 @@ class Grid:
 
 
 def _values(
-    values: npt.ArrayLike, name: str, shape: tuple[int, ...], no_data: Optional[float]
+    values: npt.ArrayLike,
+    name: str,
+    shape: tuple[int, ...],
+    no_data: Optional[float],
+    hidden: Optional[float],
 ) -> _arrays.Floats:
-    """Values of cells, in which `no_data` is that of their own type: 1e20 is no `float32`."""
-    result = _arrays.numbers(values, name, shape)
+    """Values of cells, in which `no_data` is that of their own type: 1e20 is no `float32`. What a mask
+    hides becomes `hidden`."""
+    if np.ma.is_masked(values):
+        mask, values = np.ma.getmaskarray(values), np.ma.getdata(values)
+        result = _arrays.numbers(values, name, shape).copy()
+        result[mask] = hidden
+    else:
+        result = _arrays.numbers(values, name, shape)
     dtype = np.asarray(values).dtype if hasattr(values, "dtype") else result.dtype
     if no_data is not None and dtype.kind == "f" and dtype.itemsize < 8:
         with np.errstate(over="ignore"):
@@ -318,11 +394,11 @@ def _cells(values: Any, name: str, shape: tuple[int, ...] = ()) -> _arrays.Integ
     return cells
 
 
-def _two_numbers(cell_size: Any) -> tuple[float, float]:
-    if np.ndim(cell_size) == 0:
-        size = _number(cell_size, "cell_size")
-        return size, size
-    numbers = _arrays.numbers(cell_size, "cell_size", (2,))
+def _two_numbers(values: Any, name: str) -> tuple[float, float]:
+    if np.ndim(values) == 0:
+        number = _number(values, name)
+        return number, number
+    numbers = _arrays.numbers(values, name, (2,))
     return float(numbers[0]), float(numbers[1])
 
 

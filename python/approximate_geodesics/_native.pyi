@@ -22,6 +22,8 @@ class Grid:
         cell_size: Tuple[float, float],
         no_data: Optional[float],
         first_latitude: Optional[float],
+        ellipsoid: Tuple[float, float],
+        is_periodic: bool,
         friction: Optional[_Floats],
         heights: Optional[_Floats],
         epsilon: Optional[float],
@@ -40,6 +42,7 @@ class Grid:
     ) -> Tuple[_Floats, _Integers, _Integers]: ...
     def path(self, ends: _Integers) -> Tuple[_Floats, float]: ...
     def isolines(self, values: _Floats, level: float) -> list[_Floats]: ...
+    def can_enter(self) -> npt.NDArray[np.bool_]: ...
     @property
     def error_on_equal_cells(self) -> float: ...
     @property

@@ -12,10 +12,14 @@
 
 #include <pybind11/stl.h>
 
+#include <cmath>
 #include <cstddef>
 #include <cstdint>
 #include <memory>
 #include <optional>
+#include <regex>
+#include <stdexcept>
+#include <string>
 #include <tuple>
 #include <utility>
 #include <vector>
@@ -33,10 +37,27 @@ std::vector<double> copied(const Array<double>& values)
   return {values.data(), values.data() + values.size()};
 }
 
+// Returns `f()`. Messages name cells by columns and rows, and arrays have them the other way round.
+template <typename F>
+auto with_rows_first(F f)
+{
+  try
+  {
+    return f();
+  }
+  catch(const std::invalid_argument& e)
+  {
+    static const std::regex cell(R"(cell \((\d+), (\d+)\))");
+    throw std::invalid_argument(std::regex_replace(std::string(e.what()), cell, "cell ($2, $1)"));
+  }
+}
+
 std::unique_ptr<AG::Grid_solver> make_grid(const std::pair<std::size_t, std::size_t>& rows_columns,
                                            const std::pair<double, double>& cell_size,
                                            const std::optional<double> no_data,
                                            const std::optional<double> first_latitude,
+                                           const std::pair<double, double>& ellipsoid,
+                                           const bool is_periodic,
                                            const Values& friction,
                                            const Values& heights,
                                            const std::optional<double> epsilon,
@@ -44,9 +65,11 @@ std::unique_ptr<AG::Grid_solver> make_grid(const std::pair<std::size_t, std::siz
                                            const Values& slope_costs,
                                            const py::object& progress)
 {
-  const AG::Grid_shape shape{
+  AG::Grid_shape shape{
       rows_columns.second, rows_columns.first, cell_size.first, cell_size.second, no_data,
       first_latitude};
+  shape.ellipsoid = {ellipsoid.first, ellipsoid.second};
+  shape.is_periodic = is_periodic;
   AG::Grid_solver_options options;
   options.friction = friction ? friction->data() : nullptr;
   options.heights = heights ? heights->data() : nullptr;
@@ -56,8 +79,10 @@ std::unique_ptr<AG::Grid_solver> make_grid(const std::pair<std::size_t, std::siz
                     copied(std::get<2>(*cost))};
   if(slope_costs)
     options.slope_costs = copied(*slope_costs);
-  return run(progress, [&](const AG::Solver_watch& watch) {
-    return std::make_unique<AG::Grid_solver>(shape, options, watch);
+  return with_rows_first([&] {
+    return run(progress, [&](const AG::Solver_watch& watch) {
+      return std::make_unique<AG::Grid_solver>(shape, options, watch);
+    });
   });
 }
 
@@ -88,9 +113,11 @@ py::tuple distances(const AG::Grid_solver& grid,
   double* const data = result.mutable_data();
   std::int64_t* const nearest_data = wants_nearest ? nearest.mutable_data() : nullptr;
   std::int64_t* const predecessor_data = wants_predecessors ? predecessors.mutable_data() : nullptr;
-  run(progress, [&](const AG::Solver_watch& watch) {
-    grid.find_distances(cells, data, nearest_data, predecessor_data,
-                        {maximum_distance, direction_to_source}, watch);
+  with_rows_first([&] {
+    run(progress, [&](const AG::Solver_watch& watch) {
+      grid.find_distances(cells, data, nearest_data, predecessor_data,
+                          {maximum_distance, direction_to_source}, watch);
+    });
   });
   return py::make_tuple(result, nearest, predecessors);
 }
@@ -111,8 +138,10 @@ py::tuple path(const AG::Grid_solver& grid, const Array<std::int64_t>& ends)
 {
   std::vector<AG::Grid_point> points;
   double cost = 0;
-  run(py::none(), [&](const AG::Solver_watch& watch) {
-    cost = grid.find_path(cell(ends, 0), cell(ends, 1), points, watch);
+  with_rows_first([&] {
+    run(py::none(), [&](const AG::Solver_watch& watch) {
+      cost = grid.find_path(cell(ends, 0), cell(ends, 1), points, watch);
+    });
   });
   return py::make_tuple(in_cells(points, grid.graph().shape()), cost);
 }
@@ -130,6 +159,18 @@ py::list isolines(const AG::Grid_solver& grid, const Array<double>& values, cons
   return result;
 }
 
+// Returns which cells can be entered.
+Array<bool> can_enter(const AG::Grid_solver& grid)
+{
+  const AG::Grid_shape& shape = grid.graph().shape();
+  Array<bool> result(std::vector<py::ssize_t>{static_cast<py::ssize_t>(shape.rows),
+                                              static_cast<py::ssize_t>(shape.columns)});
+  bool* const data = result.mutable_data();
+  for(std::size_t i = 0; i < shape.number_of_cells(); ++i)
+    data[i] = std::isfinite(grid.graph().friction(shape.cell(i)));
+  return result;
+}
+
 } // namespace
 
 void add_grid(py::module_& module)
@@ -137,12 +178,13 @@ void add_grid(py::module_& module)
   using AG::Grid_solver;
   py::class_<Grid_solver>(module, "Grid")
       .def(py::init(&make_grid), py::arg("rows_columns"), py::arg("cell_size"), py::arg("no_data"),
-           py::arg("first_latitude"), py::arg("friction").noconvert(),
-           py::arg("heights").noconvert(), py::arg("epsilon"), py::arg("cost"),
-           py::arg("slope_costs").noconvert(), py::arg("progress"))
+           py::arg("first_latitude"), py::arg("ellipsoid"), py::arg("is_periodic"),
+           py::arg("friction").noconvert(), py::arg("heights").noconvert(), py::arg("epsilon"),
+           py::arg("cost"), py::arg("slope_costs").noconvert(), py::arg("progress"))
       .def("distances", &distances)
       .def("path", &path)
       .def("isolines", &isolines)
+      .def("can_enter", &can_enter)
       .def_property_readonly(
           "error_on_equal_cells",
           [](const Grid_solver& grid) { return grid.graph().error_on_equal_cells(); })

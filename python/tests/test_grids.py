@@ -105,6 +105,73 @@ def test_no_data_is_that_of_the_type(dtype):
             assert grid.isolines(values, 0.5, no_data=no_data) == []
 
 
+@pytest.mark.parametrize("no_data", [None, float("nan"), -1])
+@pytest.mark.parametrize("dtype", [np.int16, np.float32, np.float64])
+def test_masks_hide_cells(dtype, no_data):
+    mask = np.zeros((9, 9), dtype=bool)
+    mask[:, 4] = True
+    values = np.ma.masked_array(np.ones((9, 9), dtype=dtype), mask)
+    for name in ("friction", "heights"):
+        costs = ag.Grid(**{name: values}, no_data=no_data).distances((4, 0))
+        assert np.isinf(costs[:, 4:]).all() and np.isfinite(costs[:, :4]).all()
+    assert values.data[0, 4] == 1
+    grid = ag.Grid(np.ones((9, 9)))
+    assert grid.isolines(np.ma.masked_array(grid.distances((4, 0)), mask | True), 3) == []
+    unhidden = np.ma.masked_array(np.ones((9, 9), dtype=dtype), False)
+    assert ag.Grid(unhidden).distances((0, 0))[0, 8] == 8
+    with pytest.raises(ValueError, match=r"height of cell \(0, 1\) is inf"):
+        ag.Grid(heights=np.ma.masked_array([[0, np.inf, 1]], [[1, 0, 0]]), no_data=None)
+
+
+def test_grids_that_go_round():
+    grid = ag.Grid(np.ones((180, 360)), cell_size=1, first_latitude=90, periodic=True)
+    costs = grid.distances((89, 359))
+    assert costs[89, 0] == pytest.approx(111319.5, rel=1e-3)
+    path = grid.path((89, 359), (89, 2))
+    np.testing.assert_allclose(path[:, 1], np.arange(359, 359 + len(path)), atol=1e-9)
+    (line,) = grid.isolines(costs, 1e6)
+    assert np.abs(np.diff(line[:, 1])).max() <= 1
+    mask = np.ones((180, 360), dtype=bool)
+    mask[89, [3, 350]] = False
+    islands = ag.Grid(np.ma.masked_array(np.ones(mask.shape), mask), cell_size=1, periodic=True)
+    assert islands.snap((89, 359)).tolist() == [89, 3]
+    for options, message in (
+        ({"friction": np.ones((3, 30))}, "30 columns"),
+        ({"friction": np.ones((3, 40)), "epsilon": 0.1}, "periodic"),
+        ({"friction": np.ones((3, 40)), "first_latitude": 50}, "40 degrees"),
+    ):
+        with pytest.raises(ValueError, match=message):
+            ag.Grid(periodic=True, **options)
+
+
+def test_ellipsoids_of_other_bodies():
+    moon = ag.Grid(np.ones((9, 9)), cell_size=0.1, first_latitude=0.45, ellipsoid=(1737400, 0))
+    assert moon.distances((4, 0))[4, 8] == pytest.approx(np.radians(0.8) * 1737400)
+    with pytest.raises(ValueError, match="flattening is 2"):
+        ag.Grid(np.ones((9, 9)), first_latitude=0, ellipsoid=(1, 2))
+
+
+def test_cells_that_cannot_be_entered_have_near_ones_that_can():
+    friction = np.full((5, 9), np.inf)
+    friction[3, [1, 8]] = 1
+    grid = ag.Grid(friction, cell_size=(1, 10))
+    assert grid.snap((0, 3)).tolist() == [3, 1]
+    assert grid.snap([(3, 8), (3, 6)]).tolist() == [[3, 8], [3, 8]]
+    with pytest.raises(ValueError, match=r"\(5, 0\) does not exist"):
+        grid.snap((5, 0))
+    with pytest.raises(ValueError, match="no cell"):
+        ag.Grid(np.full((2, 2), np.inf)).snap((0, 0))
+
+
+def test_messages_name_rows_first():
+    friction = np.ones((4, 7))
+    friction[2, 5] = -1
+    with pytest.raises(ValueError, match=r"cell \(2, 5\) is -1"):
+        ag.Grid(friction)
+    with pytest.raises(ValueError, match=r"cell \(9, 3\) does not exist: there are 7 columns and 4 rows"):
+        ag.Grid(np.ones((4, 7))).distances((9, 3))
+
+
 def test_costs_of_sources_are_values_whatever_friction_has_for_no_data():
     friction = np.ones((9, 9))
     friction[0, 0] = 0
@@ -194,7 +261,7 @@ def test_bad_types_and_cells():
         with pytest.raises(TypeError):
             call()
     for cells, message in (
-        ((3, 0), r"\(0, 3\) does not exist"),
+        ((3, 0), r"\(3, 0\) does not exist"),
         ([(0, 0), (0, 4)], "source 1"),
         ((-1, 0), "below 0"),
         ((0.5, 1), "integers"),

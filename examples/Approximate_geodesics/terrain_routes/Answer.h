@@ -22,7 +22,7 @@ struct Route
 
   Grid_cell target;
   double cost;
-  std::vector<Grid_point> points; // in columns and rows
+  std::vector<Grid_point> points; // in columns and rows; on rasters that go round, also beyond
   std::vector<double> lengths;    // from the first point to each
   std::vector<double> heights;    // of points, if there are any
 };
@@ -36,6 +36,7 @@ public:
          const std::vector<Grid_cell>& sources,
          const std::vector<Grid_cell>& targets)
     : m_costs(costs),
+      m_sources(sources),
       m_graphs{costs, options.goes_to_sources},
       m_graphs_onward{costs, !options.goes_to_sources},
       m_search(m_graphs, options, sources, "sources")
@@ -58,6 +59,7 @@ public:
   const Costs& costs() const { return m_costs; }
   bool goes_to_sources() const { return m_graphs.goes_to_sources; }
   const Search& search() const { return m_search; }
+  const std::vector<Grid_cell>& sources() const { return m_sources; }
   const std::vector<Route>& routes() const { return m_routes; }
   const Isochrones& isochrones() const { return *m_isochrones; }
   std::size_t number_reached() const { return m_number_reached; }
@@ -87,8 +89,9 @@ public:
   {
     m_row.assign(frame().columns, std::numeric_limits<double>::infinity());
     m_search.for_each_predecessor(row, [&](const std::size_t column, const Grid_place& place) {
+      const Grid_point p = m_search.position({column, row, 0});
       const Grid_point way =
-          vector_between(m_costs, m_search.position({column, row, 0}), m_search.position(place));
+          vector_between(m_costs, p, m_costs.beside(p, m_search.position(place)));
       const double degrees = std::atan2(way.x, -way.y) * 180 / std::acos(-1.);
       m_row[column] = degrees < 0 ? degrees + 360 : degrees;
     });
@@ -107,7 +110,10 @@ private:
   {
     Route result{target, m_search.distance(target), {}, {}, {}};
     for(const Grid_place& place : m_search.path(target))
-      result.points.push_back(m_search.position(place));
+    {
+      const Grid_point p = m_search.position(place);
+      result.points.push_back(result.points.empty() ? p : m_costs.beside(result.points.back(), p));
+    }
     if(m_graphs.goes_to_sources)
       std::reverse(result.points.begin(), result.points.end());
     const Grid_point* last = nullptr;
@@ -133,11 +139,12 @@ private:
         values.push_back(m_largest_cost * static_cast<double>(i) / static_cast<double>(number + 1));
     }
     m_isochrones.emplace(
-        std::move(values), frame().columns, frame().rows,
+        std::move(values), m_costs.shape(),
         [&](const std::size_t row) -> const std::vector<double>& { return cost_row(row); });
   }
 
   const Costs& m_costs;
+  std::vector<Grid_cell> m_sources;
   Graph_of_window m_graphs, m_graphs_onward;
   Search m_search;
   std::optional<Search> m_search_onward; // between cells and targets

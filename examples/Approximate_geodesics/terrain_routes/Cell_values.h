@@ -4,7 +4,6 @@
 #include "../command_line/Progress.h"
 #include "rasters/Raster.h"
 
-#include <CGAL/Approximate_geodesics/Graphs/Grid_shape.h>
 #include <CGAL/Approximate_geodesics/Grid_files/Grid_window.h>
 #include <CGAL/Approximate_geodesics/Grid_files/internal/Mapped_file.h>
 
@@ -24,31 +23,36 @@ using CGAL::Approximate_geodesics::Grid_window;
 class Cell_values
 {
 public:
-  // Reads them, and keeps `no_data` for cells without a value. `check(value, column, row)` refuses
-  // others that are wrong. An empty name of a file stands for memory.
+  // Reads them, multiplies them by `unit`, and keeps `no_data` for cells without a value.
+  // `check(value, column, row)` refuses others that are wrong. An empty name of a file stands for
+  // memory.
   template <typename Check>
   Cell_values(Raster_reader& raster,
-              const Raster_frame& frame,
               const std::string& file,
+              const double unit,
               const double no_data,
               const Check& check)
-    : m_columns(frame.columns),
+    : m_columns(raster.frame().columns),
       m_file_name(file),
-      m_file(file, frame.columns * frame.rows * sizeof(double), Mapped_file::Mode::NEW)
+      m_file(file, m_columns * raster.frame().rows * sizeof(double), Mapped_file::Mode::NEW)
   {
     Progress progress("Reading the raster");
+    const std::size_t rows = raster.frame().rows;
     std::vector<double> values;
+    std::vector<bool> has_data;
     boost::crc_optimal<64, 0x42F0E1EBA9EA3693, 0xffffffffffffffff, 0xffffffffffffffff, true, true>
         checksum;
-    for(std::size_t row = 0; row < frame.rows; ++row)
+    for(std::size_t row = 0; row < rows; ++row)
     {
-      progress.set_part(row, frame.rows);
-      raster.read_row(values);
+      progress.set_part(row, rows);
+      raster.read_row(values, has_data);
       for(std::size_t column = 0; column < m_columns; ++column)
-        if(CGAL::Approximate_geodesics::internal::is_no_data(frame.no_data, values[column]))
-          values[column] = no_data;
-        else
+      {
+        values[column] = has_data[column] ? values[column] * unit : no_data;
+        m_number_without += has_data[column] ? 0 : 1;
+        if(has_data[column])
           check(values[column], column, row);
+      }
       checksum.process_bytes(values.data(), size_of_row());
       const auto part = m_file.part(row * size_of_row(), size_of_row());
       std::copy(values.begin(), values.end(), part.template data<double>());
@@ -58,7 +62,10 @@ public:
 
   std::uint64_t checksum() const { return m_checksum; }
 
-  // Returns the values of a window, row by row.
+  // Returns the number of cells without a value.
+  std::size_t number_without() const { return m_number_without; }
+
+  // Returns the values of a window, row by row. After the last column, the first one follows.
   std::vector<double> window(const Grid_window& window) const
   {
     std::vector<double> result;
@@ -66,8 +73,13 @@ public:
     const auto part = m_file.part(window.first_row * size_of_row(), window.rows * size_of_row());
     for(std::size_t row = 0; row < window.rows; ++row)
     {
-      const double* const first = part.data<const double>() + row * m_columns + window.first_column;
-      result.insert(result.end(), first, first + window.columns);
+      const double* const first = part.data<const double>() + row * m_columns;
+      for(std::size_t done = 0, column = window.first_column; done < window.columns; column = 0)
+      {
+        const std::size_t number = std::min(window.columns - done, m_columns - column);
+        result.insert(result.end(), first + column, first + column + number);
+        done += number;
+      }
     }
     return result;
   }
@@ -91,6 +103,7 @@ private:
   std::string m_file_name;
   Mapped_file m_file;
   std::uint64_t m_checksum = 0;
+  std::size_t m_number_without = 0;
 };
 
 #endif // TERRAIN_ROUTES_CELL_VALUES_H

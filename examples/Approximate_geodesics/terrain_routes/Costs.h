@@ -6,6 +6,7 @@
 #include "Options.h"
 #include "map_of_rasters.h"
 #include "rasters/Raster.h"
+#include "rasters/descriptions.h"
 #include "rasters/raster_files.h"
 #include "slope_functions.h"
 
@@ -32,8 +33,9 @@
 #include <system_error>
 #include <vector>
 
+using CGAL::Approximate_geodesics::Grid_cell;
 using CGAL::Approximate_geodesics::Grid_graph;
-using CGAL::Approximate_geodesics::Grid_shape;
+using CGAL::Approximate_geodesics::Grid_point;
 
 // The friction and the heights of all cells, in memory or in files of the work folder, and the
 // graphs of windows.
@@ -49,14 +51,15 @@ public:
     if(!options.friction.empty())
       m_friction_raster = open_raster(options.friction, options.band);
     if(!options.heights.empty())
-      m_heights_raster = open_raster(options.heights, options.friction.empty() ? options.band : 1);
-    const bool is_placed_by_friction =
-        m_friction_raster && (m_friction_raster->frame().is_on_map || !m_heights_raster);
-    m_frame = (is_placed_by_friction ? m_friction_raster : m_heights_raster)->frame();
-    if(m_friction_raster && m_heights_raster)
-      check_same_map(options.heights, m_heights_raster->frame(), m_friction_raster->frame());
+      m_heights_raster = open_raster(
+          options.heights, options.friction.empty() ? options.band : std::optional<int>());
+    m_frame = common_frame(options, m_friction_raster ? &m_friction_raster->frame() : nullptr,
+                           m_heights_raster ? &m_heights_raster->frame() : nullptr);
+    apply_options(options, m_frame);
     m_shape = shape_of(m_frame, options);
     m_metric = Metric(m_shape);
+    if(m_heights_raster)
+      m_unit_of_heights = unit_of_heights(options, m_frame, *m_heights_raster);
   }
 
   // Reads their values. No other member function may be called before, but for `frame()`.
@@ -64,16 +67,60 @@ public:
   {
     if(!m_options.work_folder.empty())
       lock();
+    for(Raster_reader* const raster : {m_friction_raster.get(), m_heights_raster.get()})
+      if(raster != nullptr && m_options.no_data)
+        raster->set_no_data(*m_options.no_data);
     if(m_friction_raster)
-      m_friction.emplace(*m_friction_raster, frame_of(*m_friction_raster),
-                         file("terrain_routes_friction"), infinity,
+      m_friction.emplace(*m_friction_raster, file("terrain_routes_friction"), 1., infinity,
                          [&](auto... args) { check_friction(args...); });
     if(m_heights_raster)
-      m_heights.emplace(*m_heights_raster, frame_of(*m_heights_raster),
-                        file("terrain_routes_heights"), std::numeric_limits<double>::quiet_NaN(),
+      m_heights.emplace(*m_heights_raster, file("terrain_routes_heights"), m_unit_of_heights.meters,
+                        std::numeric_limits<double>::quiet_NaN(),
                         [&](auto... args) { check_height(args...); });
+    describe();
     m_friction_raster.reset();
     m_heights_raster.reset();
+  }
+
+  // What was read, in lines for the user.
+  const std::string& description() const { return m_description; }
+
+  // The unit of lengths and heights; none if it is not known what the coordinates are in.
+  std::string unit_of_lengths() const
+  {
+    return is_in_meters(m_options, m_frame) || m_slope_function ? "m" : "";
+  }
+
+  // The unit of costs; none if it is not known, as that of friction.
+  std::string unit_of_costs() const
+  {
+    if(m_options.cost == "walking_energy")
+      return "J/kg";
+    return m_slope_function ? "s" : m_friction ? "" : unit_of_lengths();
+  }
+
+  // Returns which cells of a row can be entered.
+  std::vector<bool> open_row(const std::size_t row) const
+  {
+    std::vector<bool> result(m_shape.columns, true);
+    const std::vector<double> friction = m_friction ? m_friction->row(row) : std::vector<double>();
+    const std::vector<double> heights = m_heights ? m_heights->row(row) : std::vector<double>();
+    for(std::size_t i = 0; i < result.size(); ++i)
+      result[i] =
+          !(m_friction && friction[i] == infinity) && !(m_heights && std::isnan(heights[i]));
+    return result;
+  }
+
+  bool is_open(const Grid_cell& cell) const { return open_row(cell.row)[cell.column]; }
+
+  // Returns a point of the same place as `q` that is beside `p`, in columns and rows: on rasters
+  // that go round, it may be beyond the first or the last column.
+  Grid_point beside(const Grid_point& p, Grid_point q) const
+  {
+    const auto columns = static_cast<double>(m_shape.columns);
+    if(m_shape.is_periodic)
+      q.x += columns * std::round((p.x - q.x) / columns);
+    return q;
   }
 
   const Raster_frame& frame() const { return m_frame; }
@@ -95,7 +142,9 @@ public:
     out << std::dec << m_options.cost << ", cells of " << m_shape.cell_width << " by "
         << m_shape.cell_height;
     if(m_shape.first_latitude)
-      out << " degrees from latitude " << *m_shape.first_latitude;
+      out << " degrees from latitude " << *m_shape.first_latitude << " on "
+          << m_shape.ellipsoid.equatorial_radius << ", " << m_shape.ellipsoid.flattening
+          << (m_shape.is_periodic ? ", periodic" : "");
     if(m_options.epsilon)
       out << ", epsilon " << *m_options.epsilon;
     return out.str();
@@ -107,6 +156,7 @@ public:
     Grid_shape shape = m_shape;
     shape.columns = window.columns;
     shape.rows = window.rows;
+    shape.is_periodic = m_shape.is_periodic && window.columns == m_shape.columns;
     if(shape.first_latitude)
     {
       shape.rows_before = window.first_row;
@@ -150,12 +200,19 @@ private:
     return m_options.work_folder.empty() ? "" : m_options.work_folder + '/' + name;
   }
 
-  Raster_frame frame_of(const Raster_reader& raster) const
+  void describe()
   {
-    Raster_frame result = raster.frame();
-    if(m_options.no_data)
-      result.no_data = m_options.no_data;
-    return result;
+    if(m_friction_raster)
+      m_description += described_raster(m_options.friction, *m_friction_raster,
+                                        m_friction->number_without(), "friction");
+    if(m_heights_raster)
+      m_description += described_raster(m_options.heights, *m_heights_raster,
+                                        m_heights->number_without(), "heights");
+    m_description += described_map(m_frame, m_shape, m_metric.middle(), unit_of_lengths());
+    if(m_heights_raster && !m_unit_of_heights.name.empty())
+      m_description += described_heights(
+          m_unit_of_heights, m_options.unit_of_heights || m_frame.system.unit_of_heights ||
+                                 !m_heights_raster->values().unit.empty());
   }
 
   template <typename Friction>
@@ -223,6 +280,8 @@ private:
 
   const Options& m_options;
   Slope_function m_slope_function;
+  Length_unit m_unit_of_heights{"", 1};
+  std::string m_description;
   std::unique_ptr<Raster_reader> m_friction_raster, m_heights_raster; // until they have been read
   Raster_frame m_frame;
   Grid_shape m_shape;

@@ -21,17 +21,17 @@ public:
   // `row(i)` returns the values of a row.
   template <typename Row>
   Isochrones(std::vector<double> values,
-             const std::size_t columns,
-             const std::size_t rows,
+             const CGAL::Approximate_geodesics::Grid_shape& raster,
              const Row& row)
     : m_values(std::move(values)), m_lines(m_values.size())
   {
-    const CGAL::Approximate_geodesics::Grid_shape shape{columns, rows, 1, 1, {}};
+    CGAL::Approximate_geodesics::Grid_shape shape{raster.columns, raster.rows, 1, 1, {}};
+    shape.is_periodic = raster.is_periodic;
     std::vector<CGAL::Approximate_geodesics::internal::Grid_isoline> isolines;
     for(const double value : m_values)
       isolines.emplace_back(shape, value);
     std::vector<double> last_row = row(0);
-    for(std::size_t i = 1; i < rows; ++i)
+    for(std::size_t i = 1; i < raster.rows; ++i)
     {
       const std::vector<double>& next_row = row(i);
       for(auto& isoline : isolines)

@@ -1,6 +1,8 @@
 #ifndef TERRAIN_ROUTES_OPTIONS_H
 #define TERRAIN_ROUTES_OPTIONS_H
 
+#include "rasters/units.h"
+
 #include <array>
 #include <cstddef>
 #include <optional>
@@ -14,10 +16,13 @@ struct Options
   std::string heights;  // likewise
   std::vector<std::string> sources;
   std::vector<std::string> targets;
-  int band = 1;
+  std::optional<int> band;
   std::optional<double> no_data;
   std::optional<std::array<double, 2>> cell_size;
   bool is_in_degrees = false;
+  std::optional<Length_unit> unit; // of coordinates and sizes
+  std::optional<Length_unit> unit_of_heights;
+  bool snaps = false; // to cells that can be entered
   std::string cost;
   bool goes_to_sources = false;
 
@@ -33,6 +38,7 @@ struct Options
   std::vector<double> isochrones;
   std::optional<std::size_t> number_of_isochrones;
   bool draws = false;
+  std::string colors;
   bool asks_for_help = false;
 
   // The raster whose format others are written in.

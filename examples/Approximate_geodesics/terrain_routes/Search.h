@@ -66,7 +66,8 @@ public:
                         sources,
                         side_of_tiles(graphs.costs, options),
                         options.work_folder.empty() ? "" : options.work_folder + '/' + name,
-                        graphs.costs.identity() + (graphs.goes_to_sources ? ", backward" : ""))
+                        graphs.costs.identity() + (graphs.goes_to_sources ? ", backward" : ""),
+                        graphs.costs.shape().is_periodic)
   {
     work("Searching", [&](Visitor& visitor) { return run(visitor); });
     if(options.writes_back_links || !options.targets.empty())

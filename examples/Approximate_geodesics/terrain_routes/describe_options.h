@@ -26,13 +26,18 @@ inline po::options_description describe_raster(Options& options)
   add("band", text_option("N"),
       "the band to read of RASTER, or of --heights if that comes alone (default: 1)");
   add("no-data", text_option("V"),
-      "what stands for cells that cannot be entered, in place of what the files say; nan is "
-      "possible. So does an infinite friction");
+      "the value of cells that cannot be entered, in place of the one that the files name; nan is "
+      "possible. An infinite friction, masks and alpha bands forbid cells, too");
+  add("snap", po::bool_switch(&options.snaps),
+      "move sources and targets that cannot be entered to the nearest cells that can be");
+  add("unit", text_option("U"),
+      "the unit of coordinates, in place of what the file says: m, km, dm, cm, mm, ft or us-ft");
+  add("height-unit", text_option("U"),
+      "likewise that of heights (default: what the file says; else that of coordinates, or m)");
   add("cell-size", text_option("W[,H]"),
-      "width and height of a cell, in place of what the file says");
+      "width and height of a cell, in --unit or meters, in place of what the file says");
   add("degrees", po::bool_switch(&options.is_in_degrees),
-      "coordinates are degrees of longitude and latitude, and lengths are in meters, as for files "
-      "that say so");
+      "coordinates are degrees of longitude and latitude, as for files that say so");
   return result;
 }
 
@@ -41,12 +46,12 @@ inline po::options_description describe_costs(Options& options)
   po::options_description result = make_group("What paths cost");
   po::options_description_easy_init add = result.add_options();
   add("heights", po::value(&options.heights)->value_name("HEIGHTS"),
-      "a raster of heights, in the unit of lengths, with the cells of RASTER; paths are on the "
-      "surface");
+      "a raster of heights, with the cells of RASTER; paths are on the surface");
   add("cost", po::value(&options.cost)->default_value("length")->value_name("MODEL"),
       "what a unit of length costs, which friction multiplies: length; or, by the slope of "
       "HEIGHTS, hiking_time (Tobler) or naismith_time (Naismith, Langmuir), in seconds, or "
-      "walking_energy (Minetti), in joules per kilogram. Units are meters then");
+      "walking_energy (Minetti), in joules per kilogram. Without a known unit, coordinates are "
+      "taken for meters then");
   add("to-sources", po::bool_switch(&options.goes_to_sources),
       "let costs and paths be those of the ways to the sources");
   return result;
@@ -77,7 +82,8 @@ inline po::options_description describe_output(Options& options)
   add("output,o", po::value(&options.output)->default_value("terrain_routes")->value_name("NAME"),
       "what the names of the files written begin with, such as folder/valley");
   add("force,f", po::bool_switch(&options.overwrites),
-      "replace files that exist. They stay as they are if anything fails");
+      "replace files that exist, and remove others of these names that an earlier call has "
+      "written. They stay as they are if anything fails");
   add("back-links,b", po::bool_switch(&options.writes_back_links),
       "write the direction from where the path arrives at each cell");
   add("corridor,c", po::bool_switch(&options.writes_corridor),
@@ -87,6 +93,9 @@ inline po::options_description describe_output(Options& options)
       "write lines of these costs; or, for count:K, of K that are spread evenly");
   add("csv", po::bool_switch(&options.writes_table), "write the paths as a table, too");
   add("picture,p", po::bool_switch(&options.draws), "draw a picture (needs gnuplot)");
+  add("colors", po::value(&options.colors)->default_value("uniform")->value_name("NAME"),
+      "the colors of costs in the picture: uniform, whose steps look equally large; or rainbow, "
+      "from cold to hot");
   add("help,h", po::bool_switch(&options.asks_for_help), "print this text");
   return result;
 }
@@ -111,11 +120,16 @@ inline void print_help(const po::options_description& description)
          "is one of them, or both. They are NPY files, ASCII grids (.asc)"
       << (has_gdal() ? " or any rasters that GDAL reads,\nsuch as GeoTIFF.\n"
                      : ".\n(GeoTIFF needs GDAL, and this program was compiled without.)\n")
-      << "Written are rasters in the format of RASTER or as GeoTIFF, and lines as GeoJSON, in the\n"
+      << "Masks, values for no data, scales and units count. Lengths are in meters, as far as "
+         "files "
+         "tell\nwhat coordinates are. Columns of 360 degrees go round. What was read is told, with "
+         "units.\n\n"
+         "Written are rasters in the format of RASTER or as GeoTIFF, and lines as GeoJSON, in the\n"
          "coordinates of the map:\n"
          "  NAME_cost.tif              the costs; no data or infinity where no path leads to,\n"
-         "  NAME_paths.geojson         for targets: the paths with their costs and lengths on the "
-         "surface,\n"
+         "  NAME_paths.geojson         for targets: the paths, as they are walked, with their "
+         "costs "
+         "and\n                             lengths on the surface,\n"
          "and, if asked for,\n"
          "  NAME_back_links.tif        in degrees clockwise from the first row; no data at "
          "sources,\n"

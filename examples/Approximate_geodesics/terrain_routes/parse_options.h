@@ -10,6 +10,7 @@
 #include <cmath>
 #include <cstddef>
 #include <limits>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -54,6 +55,14 @@ inline std::array<double, 2> read_cell_size(const std::string& text)
   return {width, height};
 }
 
+inline Length_unit read_unit(const std::string& option, const std::string& text)
+{
+  const std::optional<Length_unit> result = length_unit(text);
+  if(!result)
+    reject_option(option, text + " is not m, km, dm, cm, mm, ft or us-ft");
+  return *result;
+}
+
 inline double read_no_data(const std::string& text)
 {
   return text == "nan" || text == "NaN" ? std::numeric_limits<double>::quiet_NaN()
@@ -74,6 +83,10 @@ inline void read_values(const po::variables_map& values, Options& options)
     options.band = static_cast<int>(whole_number("band", text("band"), 1));
   if(has("no-data"))
     options.no_data = read_no_data(text("no-data"));
+  if(has("unit"))
+    options.unit = read_unit("unit", text("unit"));
+  if(has("height-unit"))
+    options.unit_of_heights = read_unit("height-unit", text("height-unit"));
   if(has("cell-size"))
     options.cell_size = read_cell_size(text("cell-size"));
   if(has("memory"))
@@ -90,6 +103,12 @@ inline void check_combinations(const Options& options)
     reject_option("corridor", "it needs --targets");
   if(options.targets.empty() && options.writes_table)
     reject_option("csv", "it is for the paths to --targets");
+  if(options.is_in_degrees && options.unit && !options.cell_size)
+    reject_option("unit", "coordinates are in degrees by --degrees");
+  if(options.heights.empty() && options.unit_of_heights)
+    reject_option("height-unit", "it needs --heights");
+  if(options.colors != "uniform" && options.colors != "rainbow")
+    reject_option("colors", options.colors + " is not uniform or rainbow");
   if(options.heights.empty() && slope_function(options.cost))
     reject_option("cost", options.cost + " depends on the slope; it needs --heights");
   if(options.epsilon && !options.heights.empty())

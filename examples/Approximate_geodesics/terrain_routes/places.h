@@ -26,7 +26,9 @@ inline double coordinate(const std::string& text, const std::string& place)
   return result;
 }
 
-inline Grid_cell cell_of(const std::string& place, const Raster_frame& frame)
+// On rasters that go round, coordinates may be those of any turn.
+inline Grid_cell
+cell_of(const std::string& place, const Raster_frame& frame, const bool is_periodic)
 {
   const bool is_cell = place.rfind("cell:", 0) == 0;
   const std::string text = is_cell ? place.substr(5) : place;
@@ -38,6 +40,9 @@ inline Grid_cell cell_of(const std::string& place, const Raster_frame& frame)
   if(!is_cell)
   {
     column = std::floor((column - frame.x) / frame.x_step);
+    const auto columns = static_cast<double>(frame.columns);
+    if(is_periodic)
+      column -= columns * std::floor(column / columns);
     row = std::floor((row - frame.y) / frame.y_step);
   }
   if(!(column >= 0 && column < static_cast<double>(frame.columns) && row >= 0 &&
@@ -50,17 +55,18 @@ inline Grid_cell cell_of(const std::string& place, const Raster_frame& frame)
 
 inline std::vector<Grid_cell> cells_of(const std::string& option,
                                        const std::vector<std::string>& texts,
-                                       const Raster_frame& frame)
+                                       const Raster_frame& frame,
+                                       const bool is_periodic)
 {
   std::vector<Grid_cell> result;
   for(const std::string& text : texts)
     if(text.rfind("file:", 0) == 0)
       for_each_line(option, text.substr(5), [&](const std::vector<std::string>& words) {
         for(const std::string& word : words)
-          result.push_back(cell_of(word, frame));
+          result.push_back(cell_of(word, frame, is_periodic));
       });
     else
-      name_in_errors(option, [&] { result.push_back(cell_of(text, frame)); });
+      name_in_errors(option, [&] { result.push_back(cell_of(text, frame, is_periodic)); });
   return result;
 }
 

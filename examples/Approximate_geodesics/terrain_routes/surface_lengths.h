@@ -3,14 +3,10 @@
 
 #include "Costs.h"
 
-#include <CGAL/Approximate_geodesics/Graphs/Grid_shape.h>
-
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
 #include <vector>
-
-using CGAL::Approximate_geodesics::Grid_point;
 
 // Lengths of straight lines between nodes, on the surface that the graph of heights has.
 
@@ -28,7 +24,9 @@ class Height_profile
 {
 public:
   Height_profile(const Costs& costs, const Grid_point& p, const Grid_point& q)
-    : m_window(window(p, q)), m_heights(costs.heights(m_window))
+    : m_first_x(std::floor(std::min(p.x, q.x))),
+      m_window(window(costs, p, q)),
+      m_heights(costs.heights(m_window))
   {
   }
 
@@ -36,8 +34,7 @@ public:
   // has no height, it is that of the other one, about.
   double operator()(const Grid_point& p) const
   {
-    const double x = p.x - 0.5 - static_cast<double>(m_window.first_column),
-                 y = p.y - 0.5 - static_cast<double>(m_window.first_row);
+    const double x = p.x - 0.5 - m_first_x, y = p.y - 0.5 - static_cast<double>(m_window.first_row);
     double sum = 0, weights = 0;
     for(std::size_t row = 0; row < m_window.rows; ++row)
       for(std::size_t column = 0; column < m_window.columns; ++column)
@@ -55,17 +52,21 @@ public:
   }
 
 private:
-  static Grid_window window(const Grid_point& p, const Grid_point& q)
+  static Grid_window window(const Costs& costs, const Grid_point& p, const Grid_point& q)
   {
     const auto first = [](const double a, const double b) {
       return static_cast<std::size_t>(std::min(a, b));
     };
+    const auto columns = static_cast<double>(costs.shape().columns);
+    const double first_x = std::min(p.x, q.x);
+    const double in_grid = first_x - columns * std::floor(first_x / columns);
     const auto number = [](const double a, const double b) {
       return static_cast<std::size_t>(std::abs(a - b)) + 1;
     };
-    return {first(p.x, q.x), first(p.y, q.y), number(p.x, q.x), number(p.y, q.y)};
+    return {first(in_grid, columns - 1), first(p.y, q.y), number(p.x, q.x), number(p.y, q.y)};
   }
 
+  double m_first_x; // of the window; it may be beyond the raster, if this goes round
   Grid_window m_window;
   std::vector<double> m_heights;
 };

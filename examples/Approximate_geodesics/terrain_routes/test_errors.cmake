@@ -32,7 +32,17 @@ refuse("--memory: 1K is not a size from 16M" ring.asc -s cell:0,0 -m 1K -w work)
 refuse("--memory: it is too little; [0-9]+M are needed" ring.asc -s cell:0,0 -m 16M -w work)
 file(REMOVE_RECURSE ${folder}/work)
 
+refuse("--unit: ell is not m, km" ring.asc -s cell:0,0 --unit ell)
+refuse("--unit: coordinates are in degrees" ring.asc -s cell:0,0 --unit ft --degrees)
+refuse("--height-unit: it needs --heights" ring.asc -s cell:0,0 --height-unit ft)
+refuse("--colors: gray is not uniform or rainbow" ring.asc -s cell:0,0 --colors gray)
+
 # places
+refuse("--sources: cell 1,1 cannot be entered, as it has no data or an infinite friction; the nearest cell \
+that can be is 0,1, 2 away; --snap moves it there" ring.asc -s cell:1,1)
+file(WRITE ${folder}/none.asc "ncols 2\nnrows 1\ncellsize 1\nNODATA_value -1\n-1 -1\n")
+refuse("--sources: cell 0,0 cannot be entered, .*; nor can any other cell" none.asc -s cell:0,0 --snap)
+file(REMOVE ${folder}/none.asc)
 refuse("--sources: .one. is not x,y, cell:C,R or file:NAME" ring.asc -s one)
 refuse("--sources: .1. is not x,y" ring.asc -s 1)
 refuse("--sources: cell:0.5,0: column and row must be whole numbers" ring.asc -s cell:0.5,0)
@@ -55,9 +65,12 @@ refuse_raster("it ends in row 1 of 2" "ncols 2" "nrows 2" "cellsize 1" "1 1" "1"
 refuse_raster("it has more values than cells" "ncols 2" "nrows 1" "cellsize 1" "1 1" "1")
 refuse_raster("it has too many cells: 3000000000 columns and 3000000000 rows" "ncols 3000000000"
               "nrows 3000000000" "cellsize 1" "1")
+refuse_raster("row 0: .nonsense. is not a number" "ncols 2" "nrows 1" "cellsize 1" "nonsense 1")
 refuse_raster("row 0: .x. is not a number" "ncols 2" "nrows 1" "cellsize 1" "1 x")
 refuse_raster("the cost of cell 1,0 .column, row. is nan" "ncols 2" "nrows 1" "cellsize 1" "1 nan")
 refuse_raster("the cost of cell 0,0 .column, row. is -2" "ncols 2" "nrows 1" "cellsize 1" "-2 1")
+refuse("cannot read a raster from ring.asc: it has no bands that could be chosen" ring.asc -s cell:0,0
+       --band 2)
 file(WRITE ${folder}/bad.npy "text")
 refuse("cannot read a raster from bad.npy: it is no NPY file" bad.npy -s cell:0,0)
 execute_process(COMMAND sh -c "head -c 150 ring.npy >bad.npy" WORKING_DIRECTORY ${folder})

@@ -32,23 +32,23 @@ expect(0 "To cell 2,0: cost 200, length 200" ${PROGRAM} ring.npy --no-data -1 --
 
 # by slope, up and down: 0.6 exp(3.5 |s + 0.05|) seconds per meter; friction multiplies
 set(hike --heights ramp.asc --cost hiking_time -t cell:3,0)
-expect(0 "To cell 3,0: cost 305.8, length 301.496" ${PROGRAM} ${hike} -s cell:0,0 -o c --csv
+expect(0 "To cell 3,0: cost 305.8 s, length 301.496 m" ${PROGRAM} ${hike} -s cell:0,0 -o c --csv
        -c)
-expect(0 "To cell 3,0: cost 611.6, length 301.496" ${PROGRAM} friction.asc ${hike} -s cell:0,0
+expect(0 "To cell 3,0: cost 611.6 s, length 301.496 m" ${PROGRAM} friction.asc ${hike} -s cell:0,0
        -o d)
-expect(0 "From cell 3,0: cost 215.494, length 301.496" ${PROGRAM} ${hike} -s cell:0,0 -o e
+expect(0 "From cell 3,0: cost 215.494 s, length 301.496 m" ${PROGRAM} ${hike} -s cell:0,0 -o e
        --to-sources --csv -c)
 expect_contents(c_paths.csv "\n0,50,50,0,0\n.*\n0,350,50,301.49[0-9]*,30\n$")
 expect_contents(e_paths.csv "\n0,350,50,0,30\n.*\n0,50,50,301.49[0-9]*,0\n$")
 expect_contents(c_corridor.asc "\n305.80[0-9]* 305.80[0-9]* 305.80[0-9]* 305.80[0-9]*\n$")
 expect_contents(e_corridor.asc "\n215.49[0-9]* 215.49[0-9]* 215.49[0-9]* 215.49[0-9]*\n$")
-expect(0 "cost 396," ${PROGRAM} --heights ramp.asc --cost naismith_time -s cell:0,0 -t cell:3,0 -o f)
-expect(0 "cost 1477.07," ${PROGRAM} --heights ramp.asc --cost walking_energy -s cell:0,0 -t
+expect(0 "cost 396 s," ${PROGRAM} --heights ramp.asc --cost naismith_time -s cell:0,0 -t cell:3,0 -o f)
+expect(0 "cost 1477.07 J/kg," ${PROGRAM} --heights ramp.asc --cost walking_energy -s cell:0,0 -t
        cell:3,0 -o g)
 
 # degrees: the same place to the west, and to the north
 file(WRITE ${folder}/degrees.asc "ncols 2\nnrows 2\nxllcorner 7\nyllcorner 59\ncellsize 1\n1 1\n1 1\n")
-expect(0 "To cell 1,0: cost 54955.9, length 54955.9\nTo cell 0,1: cost 111412, length 111412\n"
+expect(0 "To cell 1,0: cost 54955.9, length 54955.9 m\nTo cell 0,1: cost 111412, length 111412 m\n"
        ${PROGRAM} degrees.asc --degrees -s 7.5,60.5 -t 8.5,60.5 7.5,59.5 -o h)
 expect(0 "To cell 1,0: cost 1," ${PROGRAM} degrees.asc -s 7.5,60.5 -t 8.5,60.5 -o i)
 expect(0 "To cell 1,0: cost 5," ${PROGRAM} degrees.asc --degrees --cell-size 5 -s 7.5,60.5 -t
@@ -117,7 +117,7 @@ file(WRITE ${folder}/nan.asc "ncols 4\nnrows 1\ncellsize 100\n0 nan 20 30\n")
 refuse("cannot read a raster from nan.asc: the height of cell 1,0 .column, row. is nan" --heights
        nan.asc)
 file(WRITE ${folder}/poles.asc "ncols 4\nnrows 1\nyllcorner 91\ncellsize 1\n1 1 1 1\n")
-refuse("[^\n]*latitudes must be from 90 to -90" poles.asc --degrees)
+refuse("[^\n]*latitudes go from 91 to 92; they must be from -90 to 90 degrees" poles.asc --degrees)
 configure_file(${folder}/ramp.asc ${folder}/q_cost.asc COPYONLY)
 expect(1 "--output: q_cost.asc is a file that is read" ${PROGRAM} --heights q_cost.asc -s cell:0,0 -o q
        -f)

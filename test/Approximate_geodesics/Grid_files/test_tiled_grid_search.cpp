@@ -12,6 +12,8 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
+#include <cmath>
 #include <cstddef>
 #include <limits>
 #include <stdexcept>
@@ -96,6 +98,62 @@ TEST(Tiled_grid_search, finds_the_bits_of_one_graph_on_heights_and_in_degrees)
 TEST(Tiled_grid_search, finds_the_bits_of_one_graph_on_many_heights_and_in_degrees)
 {
   expect_bits_of_one_graph_on_heights(8);
+}
+
+TEST(Tiled_grid_search, goes_round_periodic_grids)
+{
+  Random random(test_seed());
+  for(int i = 0; i < 3; ++i)
+  {
+    const std::vector<Grid_cell> sources{{random.below(20), random.below(20)}};
+    Terrain_in_tiles terrain;
+    do // until it has enough columns
+      terrain = i % 2 == 0 ? random_terrain(random, sources) : random_hills(random, sources);
+    while(terrain.shape.columns < 60);
+    terrain.shape.is_periodic = true;
+    if(terrain.shape.first_latitude)
+      terrain.shape.cell_width = 360. / static_cast<double>(terrain.shape.columns);
+    const auto [columns, rows] = std::make_pair(terrain.shape.columns, terrain.shape.rows);
+    std::vector<std::string> expected;
+    for(const std::size_t side : {100u, 25u, 9u})
+    {
+      SCOPED_TRACE("terrain " + std::to_string(i) + ", side " + std::to_string(side));
+      Tiled tiled(columns, rows, terrain, sources, side, "", "", true);
+      EXPECT_TRUE(tiled.run());
+      expect_distances_of_one_graph(terrain, sources, tiled);
+      expect_path_of_distance(terrain, sources, tiled, {columns - 1 - random.below(9), 5});
+      EXPECT_TRUE(tiled.order_ties());
+      if(expected.empty())
+        expected = predecessors(terrain, tiled);
+      EXPECT_EQ(predecessors(terrain, tiled), expected);
+    }
+  }
+}
+
+struct Progress_recorder : CGAL::Approximate_geodesics::Geodesic_visitor_base
+{
+  void on_progress(const std::size_t done, const std::size_t all)
+  {
+    parts.push_back(static_cast<double>(done) / static_cast<double>(all));
+  }
+
+  std::vector<double> parts;
+};
+
+TEST(Tiled_grid_search, tells_of_progress_in_a_single_tile)
+{
+  const Terrain_in_tiles terrain{{300, 300, 1, 1, {}}, std::vector<double>(90000, 1), 0};
+  Tiled tiled(300, 300, terrain, {{50, 50}}, 300);
+  for(int i = 0; i < 2; ++i)
+  {
+    Progress_recorder recorder;
+    EXPECT_TRUE(i == 0 ? tiled.run(recorder) : tiled.order_ties(recorder));
+    EXPECT_GT(recorder.parts.size(), 10);
+    EXPECT_EQ(recorder.parts.front(), 0);
+    EXPECT_TRUE(std::is_sorted(recorder.parts.begin(), recorder.parts.end()));
+    EXPECT_GT(recorder.parts.back(), 0.9);
+    EXPECT_LE(recorder.parts.back(), 1);
+  }
 }
 
 TEST(Tiled_grid_search, visits_each_tile_once_where_all_cells_are_equal)

@@ -3,18 +3,21 @@
 
 #include "../../command_line/files.h"
 #include "Raster.h"
+#include "gdal.h"
 
 #include <algorithm>
 #include <cctype>
 #include <cmath>
 #include <cstddef>
 #include <cstdlib>
+#include <filesystem>
 #include <fstream>
-#include <ios>
-#include <limits>
+#include <iterator>
 #include <map>
 #include <ostream>
+#include <set>
 #include <string>
+#include <utility>
 #include <vector>
 
 // The text format of ESRI: names and numbers, one pair a line, then values.
@@ -25,24 +28,42 @@ public:
   explicit Ascii_grid_reader(const std::string& file) : m_file(file), m_in(open_to_read(file))
   {
     std::map<std::string, double> header;
-    while(m_in >> std::ws && std::isalpha(m_in.peek()) != 0 && header.size() < 20)
+    std::string word, text;
+    while(m_in >> word && is_name(word))
     {
-      std::string name, text;
-      m_in >> name >> text;
-      std::transform(name.begin(), name.end(), name.begin(),
-                     [](const unsigned char c) { return static_cast<char>(std::tolower(c)); });
-      header[name] = number(text, name);
+      m_in >> text;
+      header[word] = number(text, word);
     }
+    if(m_in)
+      m_first_value = word;
     read(header);
+    read_system();
+    m_values.type = "text";
   }
 
-  void read_row(std::vector<double>& values) override
+private:
+  // Lets a name be lowercase. What else is there is a value: nan and inf are, too.
+  static bool is_name(std::string& text)
+  {
+    static const std::set<std::string> names{"ncols",     "nrows",       "xllcorner", "yllcorner",
+                                             "xllcenter", "yllcenter",   "cellsize",  "dx",
+                                             "dy",        "nodata_value"};
+    std::string name = text;
+    std::transform(name.begin(), name.end(), name.begin(),
+                   [](const unsigned char c) { return static_cast<char>(std::tolower(c)); });
+    if(names.count(name) == 0)
+      return false;
+    text = name;
+    return true;
+  }
+
+  void read_stored_row(std::vector<double>& values) override
   {
     values.clear(); // and has as many values as come, whatever the header says
     while(values.size() < m_frame.columns)
     {
-      std::string text;
-      if(!(m_in >> text))
+      std::string text = std::exchange(m_first_value, "");
+      if(text.empty() && !(m_in >> text))
         reject_raster(m_file, "it ends in row " + std::to_string(m_row) + " of " +
                                   std::to_string(m_frame.rows));
       values.push_back(number(text, "row " + std::to_string(m_row)));
@@ -53,7 +74,6 @@ public:
       reject_raster(m_file, "it has more values than cells");
   }
 
-private:
   double number(const std::string& text, const std::string& place) const
   {
     char* end = nullptr;
@@ -91,11 +111,22 @@ private:
                                              : 0;
     m_frame.y = bottom - static_cast<double>(m_frame.rows) * m_frame.y_step;
     if(has("nodata_value"))
-      m_frame.no_data = value("nodata_value");
+      m_values.no_data = value("nodata_value");
+  }
+
+  // Such files have their coordinate systems beside them.
+  void read_system()
+  {
+    const std::string prj = std::filesystem::path(m_file).replace_extension(".prj").string();
+    if(!std::filesystem::exists(prj))
+      return;
+    std::ifstream in = open_to_read(prj);
+    m_frame.system = system_of_prj(prj, {std::istreambuf_iterator<char>(in), {}});
   }
 
   std::string m_file;
   std::ifstream m_in;
+  std::string m_first_value; // which has ended the header
   std::size_t m_row = 0;
 };
 

@@ -33,7 +33,8 @@ public:
     check_length();
   }
 
-  void read_row(std::vector<double>& values) override
+private:
+  void read_stored_row(std::vector<double>& values) override
   {
     m_bytes.resize(m_frame.columns * m_size);
     if(!m_in.read(m_bytes.data(), static_cast<std::streamsize>(m_bytes.size())))
@@ -43,7 +44,6 @@ public:
       values[i] = m_number(m_bytes.data() + i * m_size);
   }
 
-private:
   std::string read_header()
   {
     char prefix[8];
@@ -102,6 +102,8 @@ private:
   {
     const bool is_big = type[1] == ">";
     const std::string kind = type[2].str() + type[3].str();
+    m_values.type = kind;
+    m_values.are_floats = kind == "f4";
     if(kind == "f8")
       set_type<double>(is_big);
     else if(kind == "f4")

@@ -10,6 +10,7 @@
 
 #include <filesystem>
 #include <memory>
+#include <optional>
 #include <ostream>
 #include <string>
 
@@ -20,7 +21,8 @@ inline std::string ending_of(const std::string& file)
   return std::filesystem::path(file).extension().string();
 }
 
-inline std::unique_ptr<Raster_reader> open_raster(const std::string& file, const int band)
+inline std::unique_ptr<Raster_reader> open_raster(const std::string& file,
+                                                  const std::optional<int> band)
 {
   check_readable(file);
   std::unique_ptr<Raster_reader> result;
@@ -29,7 +31,9 @@ inline std::unique_ptr<Raster_reader> open_raster(const std::string& file, const
   else if(ending_of(file) == ".asc")
     result = std::make_unique<Ascii_grid_reader>(file);
   else
-    result = open_gdal(file, band);
+    return open_gdal(file, band);
+  if(band.value_or(1) > 1)
+    reject_raster(file, "it has no bands that could be chosen");
   check_number_of_cells(file, result->frame());
   return result;
 }
@@ -42,11 +46,13 @@ inline std::string ending_of_outputs(const std::string& file)
   return ending == ".npy" || ending == ".asc" ? ending : ".tif";
 }
 
-// Adds a raster to the files that are written. `row(i)` returns the values of a row.
+// Adds a raster to the files that are written. `row(i)` returns the values of a row, in this unit,
+// which only GeoTIFF has a place for.
 template <typename Row>
 void write_raster(New_files& files,
                   const std::string& name,
                   const Raster_frame& frame,
+                  const std::string& unit,
                   const Row& row)
 {
   const std::string ending = ending_of(name);
@@ -55,7 +61,7 @@ void write_raster(New_files& files,
   else if(ending == ".asc")
     files.write(name, [&](std::ostream& out) { write_ascii_grid(out, frame, row); });
   else
-    write_geotiff(files.add(name), name, frame, row);
+    write_geotiff(files.add(name), name, frame, unit, row);
 }
 
 #endif // TERRAIN_ROUTES_RASTERS_RASTER_FILES_H

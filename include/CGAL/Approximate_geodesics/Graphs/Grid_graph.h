@@ -13,6 +13,7 @@
 #include <CGAL/Approximate_geodesics/Base/internal/arrays.h>
 #include <CGAL/Approximate_geodesics/Graphs/Grid_shape.h>
 #include <CGAL/Approximate_geodesics/Graphs/Grid_vector.h>
+#include <CGAL/Approximate_geodesics/Graphs/internal/Grid/Cell_storage.h>
 #include <CGAL/Approximate_geodesics/Graphs/internal/Grid/Grid_border.h>
 #include <CGAL/Approximate_geodesics/Graphs/internal/Grid/Grid_lines.h>
 #include <CGAL/Approximate_geodesics/Graphs/internal/Grid/Grid_metric.h>
@@ -28,6 +29,8 @@
 #include <cstdint>
 #include <limits>
 #include <stdexcept>
+#include <string>
+#include <utility>
 #include <vector>
 
 namespace CGAL::Approximate_geodesics {
@@ -66,6 +69,9 @@ namespace CGAL::Approximate_geodesics {
  * diagonal row of cells is a barrier. Neither are there lines whose costs are infinite, or overflow
  * a `double` on heights or by a function.
  *
+ * On a periodic grid, lines go on from the last column to the first one. Heights, friction and
+ * costs are those of the cells there.
+ *
  * The graph takes 8 bytes per cell, 8 more for a height, and a table of arcs that all cells share.
  * With \f$\varepsilon = 0.1\f$, square cells have 15 points on a side, so there are 32 nodes per
  * cell.
@@ -94,7 +100,8 @@ public:
    *   \cgalParamNBegin{epsilon}
    *     \cgalParamDescription{paths in the graph cost at most \f$1 + \varepsilon\f$ times as much
    *                           as the cheapest ones in the plane; not with any of the other
-   *                           parameters, nor on a geographic grid, for which there is no bound}
+   *                           parameters, nor on a geographic or periodic grid, for which there is
+   *                           no bound}
    *     \cgalParamType{a number type convertible by `CGAL::to_double()`}
    *     \cgalParamDefault{no bound: there are only lines between centers}
    *   \cgalParamNEnd
@@ -126,11 +133,11 @@ public:
    * \throws std::invalid_argument if there are no cells, the size of a cell is not a finite number
    *         above `0`, there are not as many values as cells, a friction or a cost is negative or
    *         not a number, a finite friction or the length of a line is not below 1e150, a height is
-   *         not below 1e100, `epsilon` is not a finite number above `0`, or latitudes are not from
-   *         90 to -90 degrees. Searches throw it if a function of cell and direction returns such a
-   *         cost then.
-   * \throws std::length_error if there are more than \f$2^{32} - 1\f$ nodes, or more than 1000
-   *         points on a side.
+   *         not below 1e100, `epsilon` is not a finite number above `0`, latitudes are not from 90
+   *         to -90 degrees, the ellipsoid has no size above `0`, or a periodic grid has fewer than
+   * 31 columns or, in degrees, does not span 360 of them. Searches throw it if a function of cell
+   * and direction returns such a cost then. \throws std::length_error if there are more than
+   * \f$2^{32} - 1\f$ nodes, or more than 1000 points on a side.
    *
    * Run time and memory are \cgalBigO{n} for `n` cells, plus the square of the number of points on
    * the border of a cell.
@@ -139,7 +146,7 @@ public:
   Grid_graph(const Grid_shape& shape,
              const FrictionRange& friction,
              [[maybe_unused]] const NamedParameters& np = parameters::default_values())
-    : m_shape(checked(shape)), m_metric(m_shape)
+    : m_shape(checked(shape)), m_metric(m_shape), m_storage(m_shape)
   {
     static_assert(
         !internal::ignores_any<NamedParameters, internal_np::epsilon_t, internal_np::heights_t,
@@ -148,7 +155,7 @@ public:
         "direction_to_source only");
     constexpr bool has_costs =
         internal::is_any_given<NamedParameters, internal_np::heights_t, internal_np::face_weight_t>;
-    m_lines = internal::Grid_lines(m_shape, m_metric, has_costs);
+    m_lines = internal::Grid_lines(m_storage.stride(), m_metric, has_costs);
     if constexpr(internal::is_given<NamedParameters, internal_np::epsilon_t>)
     {
       static_assert(!has_costs,
@@ -157,12 +164,15 @@ public:
       if(m_metric.is_geographic())
         internal::reject(
             "there is an epsilon, and cells are in degrees; there is no bound for them");
+      if(m_shape.is_periodic)
+        internal::reject("there is an epsilon, and the grid is periodic; there is no bound then");
       m_border = internal::Grid_border(m_shape, internal::checked_epsilon(np));
     }
     check_number_of_nodes();
     m_friction = internal::read_friction(m_shape, friction);
     if constexpr(has_costs)
-      m_costs = internal::read_line_costs(m_shape, m_friction, np);
+      m_costs = internal::read_line_costs(m_shape, m_storage, m_friction, np);
+    m_friction = m_storage.kept(std::move(m_friction));
     summarize();
   }
 
@@ -235,13 +245,13 @@ public:
 
   /// returns the friction of a cell, infinity if it cannot be entered.
   /// \pre The cell exists.
-  double friction(const Grid_cell& cell) const { return m_friction[m_shape.index(cell)]; }
+  double friction(const Grid_cell& cell) const { return m_friction[m_storage.place(cell)]; }
 
   /// returns the height of a cell, `0` if there are no heights.
   /// \pre The cell exists, and can be entered.
   double height(const Grid_cell& cell) const
   {
-    return m_costs.has_heights() ? m_costs.heights()[m_shape.index(cell)] : 0;
+    return m_costs.has_heights() ? m_costs.heights()[m_storage.place(cell)] : 0;
   }
 
   /// returns the smallest friction of all cells that can be entered, or `0` if there are none.
@@ -253,8 +263,11 @@ public:
   double lower_bound(const Node from, const Node to) const
   {
     const Grid_point p = position(from), q = position(to);
+    double x = std::abs(p.x - q.x);
+    if(m_shape.is_periodic)
+      x = (std::min)(x, m_shape.width() - x);
     return m_smallest_cost *
-           std::hypot((p.x - q.x) * m_metric.smallest().width / m_shape.cell_width,
+           std::hypot(x * m_metric.smallest().width / m_shape.cell_width,
                       (p.y - q.y) * m_metric.smallest().height / m_shape.cell_height);
   }
 
@@ -310,6 +323,10 @@ private:
     internal::checked_positive(shape.cell_height, "the height of a cell");
     if(shape.columns > largest || shape.rows > largest / shape.columns)
       refuse_size();
+    constexpr std::size_t least = internal::Cell_storage::LEAST_COLUMNS_OF_PERIODIC_GRID;
+    if(shape.is_periodic && shape.columns < least)
+      internal::reject("the grid is periodic and has " + std::to_string(shape.columns) +
+                       " columns; there must be at least " + std::to_string(least));
     return shape;
   }
 
@@ -355,9 +372,10 @@ private:
   {
     constexpr std::size_t sample_size = 1000;
     internal::Arc_length_summary costs;
-    for(std::size_t i = 0; i < m_friction.size(); i += 1 + m_friction.size() / sample_size)
-      if(m_friction[i] < internal::infinity)
-        add_costs(m_shape.cell(i), costs);
+    const std::size_t number = m_shape.number_of_cells();
+    for(std::size_t i = 0; i < number; i += 1 + number / sample_size)
+      if(const Grid_cell cell = m_shape.cell(i); friction(cell) < internal::infinity)
+        add_costs(cell, costs);
     m_arc_lengths = costs.result();
     // on heights, and where the metric varies, there are other directions than those of lines
     if(m_costs.depend_on_cells() && !m_costs.has_heights() && !m_metric.is_geographic())
@@ -441,19 +459,30 @@ private:
   template <typename F>
   void for_each_line_in_grid(const Grid_cell& cell, const F& f) const
   {
-    const auto node = static_cast<std::ptrdiff_t>(m_shape.index(cell));
-    const auto stride = static_cast<std::ptrdiff_t>(m_shape.columns);
     for(const internal::Grid_lines::Line& line : m_lines.lines())
+    {
       // numbers below 0 wrap around
-      if(cell.column + static_cast<std::size_t>(line.columns) < m_shape.columns &&
-         cell.row + static_cast<std::size_t>(line.rows) < m_shape.rows)
-        f(line, static_cast<Node>(node + line.rows * stride + line.columns));
+      const std::size_t row = cell.row + static_cast<std::size_t>(line.rows);
+      std::size_t column = cell.column + static_cast<std::size_t>(line.columns);
+      if(m_shape.is_periodic && column >= m_shape.columns)
+        column += line.columns < 0 ? m_shape.columns : 0 - m_shape.columns;
+      if(column < m_shape.columns && row < m_shape.rows)
+        f(line, static_cast<Node>(m_shape.index({column, row})));
+    }
+  }
+
+  // Returns where the values of the last cell of a line are kept, or copies of them, from those of
+  // its first one.
+  std::size_t end_of_line(const std::size_t from, const internal::Grid_lines::Line& line) const
+  {
+    return from + static_cast<std::size_t>(line.rows) * m_storage.stride() +
+           static_cast<std::size_t>(line.columns); // numbers below 0 wrap around
   }
 
   template <typename F>
   void for_each_line(const Grid_cell& cell, F& f) const
   {
-    const double* const friction = m_friction.data() + m_shape.index(cell);
+    const double* const friction = m_friction.data() + m_storage.place(cell);
     for_each_line_in_grid(cell, [&](const internal::Grid_lines::Line& line, const Node target) {
       if(const double cost = scale(cell, line) * m_lines.cost(line, friction);
          cost < internal::infinity)
@@ -467,13 +496,14 @@ private:
   void for_each_worthwhile_line(const Grid_cell& cell, const Labels& labels, F& f) const
   {
     constexpr double rounding = 1e-12; // of sums
-    const std::size_t node = m_shape.index(cell);
-    const double distance = labels.distance(static_cast<Node>(node));
+    const std::size_t from = m_storage.place(cell);
+    const double distance = labels.distance(static_cast<Node>(m_shape.index(cell)));
     for_each_line_in_grid(cell, [&](const internal::Grid_lines::Line& line, const Node target) {
-      if(!(m_friction[target] < internal::infinity))
+      const std::size_t to = end_of_line(from, line);
+      if(!(m_friction[to] < internal::infinity))
         return;
       const double scale = this->scale(cell, line);
-      const double least = m_costs.lower_bound(node, target, scale * line.length);
+      const double least = m_costs.lower_bound(from, to, scale * line.length);
       if(distance + (1 - rounding) * m_smallest_friction * least >= labels.distance(target))
         return;
       if(const double cost = this->cost(cell, line, scale); cost < internal::infinity)
@@ -498,13 +528,13 @@ private:
   double
   cost(const Grid_cell& cell, const internal::Grid_lines::Line& line, const double scale) const
   {
-    const std::size_t node = m_shape.index(cell);
+    const std::size_t from = m_storage.place(cell);
     if(m_costs.depend_on_cells())
-      return m_costs.cost_by_cells(m_lines, line, m_shape, node, sides(cell, line),
+      return m_costs.cost_by_cells(m_lines, line, m_storage, from, sides(cell, line),
                                    m_friction.data());
     if(m_is_uniform)
-      return m_costs.cost_if_uniform(m_lines, line, node, scale, m_smallest_friction);
-    return m_costs.cost(m_lines, line, node, scale, m_friction.data());
+      return m_costs.cost_if_uniform(m_lines, line, from, scale, m_smallest_friction);
+    return m_costs.cost(m_lines, line, from, scale, m_friction.data());
   }
 
   // Adds the costs of the lines from a cell that are finite.
@@ -521,13 +551,13 @@ private:
   double smallest_cost_of_cells() const
   {
     double result = internal::infinity;
-    for(std::size_t i = 0; i < m_friction.size(); ++i)
+    for(std::size_t i = 0; i < m_shape.number_of_cells(); ++i)
     {
       internal::check_for_interruption_at(i);
-      if(m_friction[i] < internal::infinity)
+      const Grid_cell cell = m_shape.cell(i);
+      if(friction(cell) < internal::infinity)
         for(const internal::Grid_lines::Line& line : m_lines.lines())
-          result = (std::min)(result,
-                              m_costs.cost_in_cell(m_shape.cell(i), line, m_metric.between(0, 0)));
+          result = (std::min)(result, m_costs.cost_in_cell(cell, line, m_metric.between(0, 0)));
     }
     return result < internal::infinity ? result : 0;
   }
@@ -569,10 +599,11 @@ private:
 
   Grid_shape m_shape;
   internal::Grid_metric m_metric;
+  internal::Cell_storage m_storage;
   internal::Grid_lines m_lines;
   internal::Grid_border m_border;
   internal::Line_costs m_costs;
-  std::vector<double> m_friction; // infinity for cells that cannot be entered
+  std::vector<double> m_friction; // as kept; infinity for cells that cannot be entered
   Arc_lengths m_arc_lengths;
   double m_smallest_friction = 0;
   double m_smallest_cost = 0; // per unit of length

@@ -10,10 +10,13 @@
 
 #include <CGAL/Approximate_geodesics/Base/internal/messages.h>
 
+#include <algorithm>
 #include <cmath>
 #include <cstddef>
+#include <limits>
 #include <optional>
 #include <string>
+#include <type_traits>
 
 namespace CGAL::Approximate_geodesics {
 
@@ -53,6 +56,19 @@ struct Grid_point
 /*!
  * \ingroup PkgApproximateGeodesicsGraphs
  *
+ * The ellipsoid of revolution that latitudes of a geographic grid are of: WGS 84 by default.
+ */
+struct Grid_ellipsoid
+{
+  /// the radius of the equator, in the unit that lengths are to have.
+  double equatorial_radius = 6378137;
+  /// how much shorter the axis is, relatively: `0` for a sphere.
+  double flattening = 1 / 298.257223563;
+};
+
+/*!
+ * \ingroup PkgApproximateGeodesicsGraphs
+ *
  * The shape of a regular grid of rectangular cells. Values of cells are given row by row, the cells
  * of a row one after the other.
  */
@@ -67,17 +83,23 @@ struct Grid_shape
   /// the height of a cell: its extent along a column.
   double cell_height = 1;
   /// the friction or height of cells that cannot be entered, besides an infinite friction; it can
-  /// be NaN.
+  /// be NaN. It is rounded to the type of the values: -9999.9 stands for the nearest `float` if
+  /// they are of this type.
   std::optional<double> no_data = {};
   /// the latitude, in degrees, of the side where the first row begins. If it is given, sizes of
   /// cells are in degrees of longitude and latitude, rows follow each other southward, and lengths
-  /// are in meters on the ellipsoid WGS 84.
+  /// are those on `ellipsoid`: in meters if it is the default.
   std::optional<double> first_latitude = {};
   /// the number of rows before the first one, if this is a part of a larger geographic grid.
   /// `first_latitude` is where that grid begins, and the graph has its arcs, to the last bit.
   std::size_t rows_before = 0;
   /// likewise the number of rows after the last one.
   std::size_t rows_after = 0;
+  /// whether columns go round: the first one follows the last one, as on a raster of the whole
+  /// Earth. There are at least 31 columns then, and no bound `epsilon`.
+  bool is_periodic = false;
+  /// what latitudes are of, if there are any.
+  Grid_ellipsoid ellipsoid = {};
 
   /// returns the number of cells.
   std::size_t number_of_cells() const { return columns * rows; }
@@ -87,6 +109,9 @@ struct Grid_shape
 
   /// returns the cell with this place in the order of values.
   Grid_cell cell(const std::size_t index) const { return {index % columns, index / columns}; }
+
+  /// returns the extent of all columns: after it, those of a periodic grid begin again.
+  double width() const { return static_cast<double>(columns) * cell_width; }
 
   /// returns the center of a cell.
   Grid_point center(const Grid_cell& cell) const
@@ -113,6 +138,22 @@ inline std::size_t checked_index(const Grid_shape& shape, const Grid_cell& cell,
            std::to_string(cell.row) + ") does not exist: there are " +
            std::to_string(shape.columns) + " columns and " + std::to_string(shape.rows) + " rows");
   return shape.index(cell);
+}
+
+// Returns a value for no data as values of type `T` have it: 1e20 is no `float`.
+template <typename T>
+std::optional<double> no_data_of(const std::optional<double>& no_data)
+{
+  if constexpr(std::is_floating_point_v<T> && sizeof(T) < sizeof(double))
+    if(no_data && std::isfinite(*no_data))
+    {
+      constexpr double largest = (std::numeric_limits<T>::max)(),
+                       half_unit = largest * std::numeric_limits<T>::epsilon() / 4;
+      if(std::abs(*no_data) >= largest + half_unit)
+        return std::copysign(std::numeric_limits<double>::infinity(), *no_data);
+      return static_cast<double>(static_cast<T>((std::clamp)(*no_data, -largest, largest)));
+    }
+  return no_data;
 }
 
 inline bool is_no_data(const std::optional<double>& no_data, const double value)

@@ -16,7 +16,9 @@
 #include <cstddef>
 #include <iterator>
 #include <limits>
+#include <optional>
 #include <string>
+#include <type_traits>
 #include <vector>
 
 namespace CGAL::Approximate_geodesics {
@@ -44,7 +46,8 @@ namespace CGAL::Approximate_geodesics {
  *        `no_data` have no isolines
  * \param isovalue the isovalue; an infinite one has no isolines
  * \param polylines receives the polylines, in the unit of the sizes of cells; the last point of a
- *        closed polyline equals its first point
+ *        closed polyline equals its first point. On a periodic grid, a polyline that leaves the
+ * grid goes on beyond it, and one that goes round it ends there where it begins, one width farther
  *
  * \return the output iterator, after the last polyline.
  *
@@ -69,13 +72,15 @@ OutputIterator isolines_on_grid(const Grid_shape& shape,
   internal::Grid_isoline isoline(shape, isovalue);
   std::vector<double> row, next_row;
   auto value = std::begin(values);
+  const std::optional<double> no_data =
+      internal::no_data_of<std::decay_t<decltype(*value)>>(shape.no_data);
   for(std::size_t i = 0; i < shape.rows; ++i)
   {
     next_row.resize(shape.columns);
     for(double& v : next_row)
     {
       v = static_cast<double>(*value++);
-      if(internal::is_no_data(shape.no_data, v))
+      if(internal::is_no_data(no_data, v))
         v = std::numeric_limits<double>::quiet_NaN();
     }
     if(i > 0)

@@ -49,6 +49,7 @@ struct Terrain_in_tiles
     part.rows = w.rows;
     part.rows_before = w.first_row;
     part.rows_after = shape.rows - w.first_row - w.rows;
+    part.is_periodic = shape.is_periodic && w.columns == shape.columns;
     const std::vector<double> values = window(friction, w);
     if(!heights.empty())
       return Grid_graph(part, values,
@@ -65,7 +66,8 @@ struct Terrain_in_tiles
     std::vector<double> result;
     for(std::size_t row = 0; row < w.rows; ++row)
       for(std::size_t column = 0; column < w.columns; ++column)
-        result.push_back(values[shape.index({w.first_column + column, w.first_row + row})]);
+        result.push_back(
+            values[shape.index({(w.first_column + column) % shape.columns, w.first_row + row})]);
     return result;
   }
 

@@ -15,6 +15,7 @@
 #include <CGAL/Approximate_geodesics/Grid_files/internal/Grid_nodes.h>
 #include <CGAL/Approximate_geodesics/Grid_files/internal/Label_files.h>
 #include <CGAL/Approximate_geodesics/Grid_files/internal/Tile_graph.h>
+#include <CGAL/Approximate_geodesics/Grid_files/internal/Tile_progress.h>
 #include <CGAL/Approximate_geodesics/Grid_files/internal/first_predecessors.h>
 #include <CGAL/Approximate_geodesics/Search/Propagation.h>
 #include <CGAL/assertions.h>
@@ -84,6 +85,9 @@ public:
    * \param tile_side the number of columns and rows of a tile, except for the last ones
    * \param folder where to keep labels; it is created if needed. An empty name stands for memory
    * \param costs a text that identifies the costs: a search with another one is not resumed
+   * \param is_periodic whether columns go round, as those of `Grid_shape::is_periodic`. Then a
+   *        window that is not as wide as the grid can extend beyond the last column, to the first
+   *        ones; the graph of one as wide as the grid is periodic.
    *
    * \throws std::invalid_argument if a source does not exist, `tile_side` is `0`, another search
    *         has been begun in the folder, or another process uses it.
@@ -95,9 +99,11 @@ public:
                     const std::vector<Grid_cell>& sources,
                     const std::size_t tile_side,
                     const std::string& folder = "",
-                    const std::string& costs = "")
+                    const std::string& costs = "",
+                    const bool is_periodic = false)
     : m_columns(columns),
       m_rows(rows),
+      m_is_periodic(is_periodic),
       m_side(checked_side(columns, rows, tile_side)),
       m_graph_of_window(graph_of_window)
   {
@@ -122,13 +128,14 @@ public:
                     const std::vector<Grid_cell>& sources,
                     std::size_t tile_side,
                     const std::string& folder = "",
-                    const std::string& costs = "") = delete;
+                    const std::string& costs = "",
+                    bool is_periodic = false) = delete;
 
   /*!
    * settles tiles until all distances are final, or the visitor stops that.
    *
-   * \param visitor a model of `GeodesicVisitor`; it is told of progress, in tiles, and asked
-   *        whether to go further before each of them
+   * \param visitor a model of `GeodesicVisitor`; it is told of progress, in thousandths of tiles,
+   *        and asked whether to go further before each tile
    *
    * \return whether all distances are final.
    */
@@ -137,10 +144,9 @@ public:
   {
     while(const std::optional<std::size_t> tile = next_tile())
     {
-      visitor.on_progress(number_of_closed_tiles(), m_smallest_open.size());
       if(!visitor.go_further())
         return false;
-      settle(*tile);
+      settle(*tile, visitor);
       ++m_number_of_visits;
     }
     return true;
@@ -163,10 +169,9 @@ public:
   {
     for(std::size_t index = 0; index < number_of_tiles(); ++index)
     {
-      visitor.on_progress(index, number_of_tiles());
       if(!visitor.go_further())
         return false;
-      order_ties_in(tile(index));
+      order_ties_in(index, visitor);
     }
     return true;
   }
@@ -188,7 +193,7 @@ public:
     const internal::Label_files::Rows rows = m_labels->rows(row, 1);
     for(std::size_t column = 0; column < m_columns; ++column)
       if(const Grid_place p{column, row, 0}; rows.predecessor(p).exists())
-        f(column, rows.predecessor(p).place(p));
+        f(column, m_nodes.in_grid(rows.predecessor(p).place(p)));
   }
 
   /// returns the distance of a cell, infinity if it cannot be reached.
@@ -211,7 +216,7 @@ public:
       const internal::Kept_predecessor predecessor = m_labels->rows(p.row, 1).predecessor(p);
       if(!predecessor.exists())
         break;
-      result.push_back(predecessor.place(p));
+      result.push_back(m_nodes.in_grid(predecessor.place(p)));
     }
     std::reverse(result.begin(), result.end());
     return result;
@@ -254,7 +259,7 @@ private:
     constexpr std::size_t number_of_blocks = 4;
     const std::size_t size_of_block = (graph.number_of_nodes() - 1) / number_of_blocks;
     CGAL_assertion(size_of_block < internal::Kept_predecessor::LARGEST_SLOT);
-    m_nodes = internal::Grid_nodes(m_columns, m_rows, size_of_block);
+    m_nodes = internal::Grid_nodes(m_columns, m_rows, size_of_block, m_is_periodic);
     for(std::size_t i = 0; i < m_nodes.number_of_slots(); ++i)
     {
       const Grid_point p = graph.position(static_cast<Node>(i));
@@ -265,8 +270,8 @@ private:
   std::string task(const std::vector<Grid_cell>& sources, const std::string& costs) const
   {
     std::string result = std::to_string(m_columns) + " columns, " + std::to_string(m_rows) +
-                         " rows, " + std::to_string(m_nodes.number_of_slots()) +
-                         " nodes at each\ncosts: " + costs + "\nsources:";
+                         " rows, " + std::to_string(m_nodes.number_of_slots()) + " nodes at each" +
+                         (m_is_periodic ? ", periodic" : "") + "\ncosts: " + costs + "\nsources:";
     const Grid_shape shape{m_columns, m_rows, 1, 1, {}};
     for(const Grid_cell& source : sources)
       result += ' ' + std::to_string(internal::checked_index(shape, source, "the source"));
@@ -349,15 +354,24 @@ private:
       return Grid_window{c, r, (std::min)(column + m_side + extra, m_columns) - c,
                          (std::min)(row + m_side + extra, m_rows) - r};
     };
-    return {clipped(0), clipped(margin)};
+    Tile result{clipped(0), clipped(margin)};
+    if(m_is_periodic) // no column twice
+    {
+      const bool has_all = result.own.columns + 2 * margin >= m_columns;
+      result.window.first_column = has_all ? 0 : (column + m_columns - margin) % m_columns;
+      result.window.columns = has_all ? m_columns : result.own.columns + 2 * margin;
+    }
+    return result;
   }
 
-  void settle(const std::size_t index)
+  template <typename Visitor>
+  void settle(const std::size_t index, Visitor& visitor)
   {
     const Tile tile = this->tile(index);
     const Graph graph = m_graph_of_window(tile.window);
     const internal::Tile_graph<Graph> tile_graph(graph, own_places(tile), tile.window, m_nodes);
     const Rows rows = m_labels->rows(tile.window.first_row, tile_graph.nodes().rows());
+    internal::Tile_progress progress(visitor, number_of_closed_tiles(), number_of_tiles());
     Propagation search(tile_graph);
     search.resume([&](const auto& set) { enter_labels(tile_graph, rows, set); });
     lower_labels(tile_graph, rows, search);
@@ -386,7 +400,7 @@ private:
         return;
       const internal::Kept_predecessor predecessor = rows.predecessor(p);
       set(node, label.distance(),
-          predecessor.exists() ? tile.node(predecessor.place(p)) : tile.null_node,
+          predecessor.exists() ? tile.node(m_nodes.in_grid(predecessor.place(p))) : tile.null_node,
           label.is_open() && tile.owns(p));
     });
   }
@@ -400,7 +414,7 @@ private:
       internal::Kept_label& label = rows.label(p);
       if(!(distance < label.distance()))
         return;
-      rows.predecessor(p).set(tile.place(search.predecessor(node)), p);
+      rows.predecessor(p).set(m_nodes.beside(tile.place(search.predecessor(node)), p), p);
       std::atomic_signal_fence(std::memory_order_seq_cst);
       label.set_open(distance);
       note_label(p, distance, true);
@@ -412,9 +426,12 @@ private:
     tile.for_each_own_place([&](const Grid_place& p) { rows.label(p).close(); });
   }
 
-  void order_ties_in(const Tile& tile) const
+  template <typename Visitor>
+  void order_ties_in(const std::size_t index, Visitor& visitor) const
   {
+    const Tile tile = this->tile(index);
     const Graph graph = m_graph_of_window(tile.window);
+    internal::Tile_progress progress(visitor, index, number_of_tiles());
     const internal::Tile_graph<Graph> tile_graph(graph, own_places(tile), tile.window, m_nodes);
     const Rows rows = m_labels->rows(tile.window.first_row, tile_graph.nodes().rows());
     std::vector<double> labels(graph.number_of_nodes(), internal::infinity);
@@ -423,11 +440,13 @@ private:
     const std::vector<Node> first = internal::first_predecessors(tile_graph, labels);
     tile_graph.for_each_node([&](const Node node, const Grid_place& p) {
       if(tile_graph.owns(p) && first[node] != tile_graph.null_node)
-        rows.predecessor(p).set(tile_graph.place(first[node]), p);
+        rows.predecessor(p).set(m_nodes.beside(tile_graph.place(first[node]), p), p);
     });
   }
 
-  std::size_t m_columns, m_rows, m_side;
+  std::size_t m_columns, m_rows;
+  bool m_is_periodic;
+  std::size_t m_side;
   const GraphOfWindow& m_graph_of_window;
   internal::Grid_nodes m_nodes;
   std::vector<Grid_point> m_positions; // of nodes, by slots

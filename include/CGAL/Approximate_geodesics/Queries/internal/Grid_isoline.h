@@ -44,8 +44,12 @@ public:
                    const std::vector<double>& values,
                    const std::vector<double>& next_values)
   {
-    for(std::size_t i = 0; i + 1 < m_shape.columns; ++i)
-      add_square({i, row}, {values[i], values[i + 1], next_values[i + 1], next_values[i]});
+    const std::size_t last = m_shape.columns - (m_shape.is_periodic ? 0 : 1);
+    for(std::size_t i = 0; i < last; ++i)
+    {
+      const std::size_t next = (i + 1) % m_shape.columns;
+      add_square({i, row}, {values[i], values[next], next_values[next], next_values[i]});
+    }
   }
 
   // Writes the polylines when all squares have been added.
@@ -117,8 +121,10 @@ private:
                    const std::size_t first,
                    const std::size_t last)
   {
-    const Side i = static_cast<Side>(cell.row) * m_shape.columns + cell.column;
-    const std::array<Side, 4> sides{2 * i, 2 * (i + 1) + 1, 2 * (i + m_shape.columns), 2 * i + 1};
+    const Side first_of_row = static_cast<Side>(cell.row) * m_shape.columns;
+    const Side i = first_of_row + cell.column,
+               next = first_of_row + (cell.column + 1) % m_shape.columns;
+    const std::array<Side, 4> sides{2 * i, 2 * next + 1, 2 * (i + m_shape.columns), 2 * i + 1};
     m_segments.push_back({sides[first], sides[last], point(cell, values, first, (first + 1) % 4),
                           point(cell, values, (last + 1) % 4, last)});
   }
@@ -143,7 +149,8 @@ private:
     return {low.x + t * (high.x - low.x), low.y + t * (high.y - low.y)};
   }
 
-  // Returns the polyline from a segment to its end, or back to its start if it is closed.
+  // Returns the polyline from a segment to its end, or back to its start if it is closed. On a
+  // periodic grid, it goes on beyond the last column.
   Polyline follow(std::size_t i, std::vector<bool>& is_passed) const
   {
     Polyline result(1, m_segments[i].start_point);
@@ -151,7 +158,11 @@ private:
     {
       is_passed[i] = true;
       const Segment& segment = m_segments[i];
-      const Grid_point& p = segment.end_point;
+      const double turns =
+          m_shape.is_periodic
+              ? std::round((result.back().x - segment.start_point.x) / m_shape.width())
+              : 0;
+      const Grid_point p{segment.end_point.x + turns * m_shape.width(), segment.end_point.y};
       if(p.x != result.back().x || p.y != result.back().y) // points may coincide at a center
         result.push_back(p);
       const auto next =

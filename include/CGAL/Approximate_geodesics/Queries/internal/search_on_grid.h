@@ -13,6 +13,8 @@
 #include <CGAL/Approximate_geodesics/Search/Propagation.h>
 
 #include <algorithm>
+#include <cmath>
+#include <cstddef>
 #include <type_traits>
 #include <vector>
 
@@ -38,6 +40,16 @@ std::vector<Seed> seeds_of_cells(const Grid_graph& graph, const Sources& sources
   }
 }
 
+// Lets the points of a path follow each other: on a periodic grid, the last one is beyond the grid
+// if the path leaves it, as no arc extends over half of the columns.
+inline void unwind(const Grid_shape& shape, std::vector<Grid_point>& path)
+{
+  if(!shape.is_periodic)
+    return;
+  for(std::size_t i = 1; i < path.size(); ++i)
+    path[i].x += shape.width() * std::round((path[i - 1].x - path[i].x) / shape.width());
+}
+
 // Runs an A* search, and returns the points of the path to `target`, from the source on; none if
 // there is no path.
 inline std::vector<Grid_point> find_path_on_grid(Propagation<Grid_graph>& search,
@@ -54,6 +66,7 @@ inline std::vector<Grid_point> find_path_on_grid(Propagation<Grid_graph>& search
     for(Node node = target; node != search.null_node; node = search.predecessor(node))
       result.push_back(graph.position(node));
   std::reverse(result.begin(), result.end());
+  unwind(graph.shape(), result);
   return result;
 }
 

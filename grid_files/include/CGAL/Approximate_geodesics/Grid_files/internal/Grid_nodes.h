@@ -24,10 +24,14 @@ class Grid_nodes
 {
 public:
   Grid_nodes() = default;
-  Grid_nodes(const std::size_t columns, const std::size_t rows, const std::size_t size_of_block)
+  Grid_nodes(const std::size_t columns,
+             const std::size_t rows,
+             const std::size_t size_of_block,
+             const bool is_periodic = false)
     : m_columns(columns),
       m_rows(rows),
       m_size_of_block(size_of_block),
+      m_period(is_periodic ? columns : 0),
       m_beyond(size_of_block > 0 ? 1 : 0)
   {
   }
@@ -35,6 +39,26 @@ public:
   // Returns the number of columns and rows that have nodes.
   std::size_t columns() const { return m_columns + m_beyond; }
   std::size_t rows() const { return m_rows + m_beyond; }
+
+  // Returns a place whose column may be beyond either end of a periodic grid, with the one that it
+  // stands for. Columns below 0 have wrapped around.
+  Grid_place in_grid(Grid_place p) const
+  {
+    if(m_period > 0 && p.column >= m_period)
+      p.column += p.column < 2 * m_period ? 0 - m_period : m_period;
+    return p;
+  }
+
+  // Returns a place with a column that may be beyond the grid, less than half a turn from another
+  // one.
+  Grid_place beside(Grid_place p, const Grid_place& other) const
+  {
+    if(m_period > 0 && p.column > other.column + m_period / 2)
+      p.column -= m_period;
+    else if(m_period > 0 && other.column > p.column + m_period / 2)
+      p.column += m_period;
+    return p;
+  }
 
   // Returns how many nodes a cell, its corner and its sides may have together.
   std::size_t number_of_slots() const { return 1 + m_size_of_block; }
@@ -76,6 +100,7 @@ public:
 private:
   std::size_t m_columns = 0, m_rows = 0;
   std::size_t m_size_of_block = 0;
+  std::size_t m_period = 0; // in columns, if there is one
   std::size_t m_beyond = 0; // the last column and the last row
 };
 

@@ -36,6 +36,7 @@ public:
     : m_graph(graph),
       m_own(own),
       m_window(window),
+      m_all(all),
       m_nodes(window.columns, window.rows, all.number_of_slots() - 1)
   {
     CGAL_assertion(m_nodes.number_of_nodes() == graph.number_of_nodes());
@@ -69,14 +70,15 @@ public:
     Grid_place p = m_nodes.place(node);
     p.column += m_window.first_column;
     p.row += m_window.first_row;
-    return p;
+    return m_all.in_grid(p);
   }
 
   // Returns the node at a place, or `null_node` if it is not in the window.
   Node node(const Grid_place& p) const
   {
     // numbers below 0 wrap around
-    const Grid_place q{p.column - m_window.first_column, p.row - m_window.first_row, p.slot};
+    const Grid_place q =
+        m_all.in_grid({p.column - m_window.first_column, p.row - m_window.first_row, p.slot});
     return q.column < m_nodes.columns() && q.row < m_nodes.rows() && m_nodes.has(q)
                ? static_cast<Node>(m_nodes.node(q))
                : null_node;
@@ -87,16 +89,23 @@ public:
     return p.column - m_own.first_column < m_own.columns && p.row - m_own.first_row < m_own.rows;
   }
 
-  // Calls `f(node, place)` for all nodes of the window.
+  // Calls `f(node, place)` for all nodes of the window, in the order of places.
   template <typename F>
   void for_each_node(F f) const
   {
+    const std::size_t beyond = m_window.first_column + m_nodes.columns();
+    const std::size_t first =
+        beyond > m_all.columns() ? m_all.columns() - m_window.first_column : 0;
     for(std::size_t row = 0; row < m_nodes.rows(); ++row)
-      for(std::size_t column = 0; column < m_nodes.columns(); ++column)
+      for(std::size_t i = 0; i < m_nodes.columns(); ++i)
+      {
+        const std::size_t column =
+            first + i < m_nodes.columns() ? first + i : first + i - m_nodes.columns();
         for(std::size_t slot = m_nodes.has_center(column, row) ? 0 : 1;
             slot < m_nodes.number_of_slots(); ++slot)
           f(static_cast<Node>(m_nodes.node({column, row, slot})),
-            Grid_place{m_window.first_column + column, m_window.first_row + row, slot});
+            m_all.in_grid({m_window.first_column + column, m_window.first_row + row, slot}));
+      }
   }
 
   // Calls `f(place)` for all places of the tile.
@@ -113,7 +122,8 @@ private:
   const Graph& m_graph;
   Grid_window m_own;
   Grid_window m_window;
-  Grid_nodes m_nodes;
+  const Grid_nodes& m_all; // of the grid
+  Grid_nodes m_nodes;      // of the window
 };
 
 } // namespace CGAL::Approximate_geodesics::internal

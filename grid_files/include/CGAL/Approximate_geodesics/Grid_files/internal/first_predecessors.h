@@ -8,6 +8,7 @@
 
 #include <CGAL/license/Approximate_geodesics.h>
 
+#include <CGAL/Approximate_geodesics/Base/internal/Loop.h>
 #include <CGAL/Approximate_geodesics/Base/internal/arrays.h>
 #include <CGAL/Approximate_geodesics/Grid_files/internal/Tile_graph.h>
 
@@ -41,7 +42,11 @@ std::vector<typename Graph::Node> first_predecessors(const Tile_graph<Graph>& ti
   using Node = typename Graph::Node;
   constexpr Node null_node = Tile_graph<Graph>::null_node;
   std::vector<Node> result(labels.size(), null_node);
+  std::size_t turn = 0;
   tile.for_each_node([&](const Node node, const Grid_place& /* place */) {
+    constexpr std::size_t nodes_between_checks = 4096;
+    if(turn++ % nodes_between_checks == 0)
+      check_for_interruption(turn, labels.size());
     const double label = labels[node];
     if(label == infinity)
       return;

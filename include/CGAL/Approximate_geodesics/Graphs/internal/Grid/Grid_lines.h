@@ -9,7 +9,6 @@
 #include <CGAL/license/Approximate_geodesics.h>
 
 #include <CGAL/Approximate_geodesics/Base/internal/arrays.h>
-#include <CGAL/Approximate_geodesics/Graphs/Grid_shape.h>
 #include <CGAL/Approximate_geodesics/Graphs/internal/Grid/Grid_metric.h>
 
 #include <algorithm>
@@ -72,11 +71,12 @@ public:
 
   Grid_lines() = default;
 
-  Grid_lines(const Grid_shape& shape, const Grid_metric& metric, const bool has_profiles)
+  // `stride` is the number of values from row to row.
+  Grid_lines(const std::size_t stride, const Grid_metric& metric, const bool has_profiles)
     : m_has_profiles(has_profiles),
       m_largest_error(has_profiles ? LARGEST_ERROR_OF_PROFILES : LARGEST_ERROR),
       m_sides(metric.middle()),
-      m_stride(static_cast<std::ptrdiff_t>(shape.columns))
+      m_stride(static_cast<std::ptrdiff_t>(stride))
   {
     for(const Grid_metric::Sides& sides : metric.all())
     {

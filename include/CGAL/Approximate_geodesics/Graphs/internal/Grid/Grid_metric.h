@@ -43,6 +43,7 @@ public:
       return;
     }
     check_latitudes(shape);
+    check_ellipsoid(shape.ellipsoid);
     m_is_geographic = true;
     m_first_sum = 2 * shape.rows_before;
     for(std::size_t sum = 0; sum + 1 < 2 * all_rows(shape); ++sum)
@@ -87,23 +88,34 @@ private:
       reject("the grid extends from latitude " + text_of(first) + " to " + text_of(last) +
              "; latitudes must be from 90 to -90 degrees");
     constexpr double most = 360;
-    if(!(static_cast<double>(shape.columns) * shape.cell_width <= most + rounding))
-      reject("the grid extends over " +
-             text_of(static_cast<double>(shape.columns) * shape.cell_width) +
+    if(!(shape.width() <= most * (1 + rounding)))
+      reject("the grid extends over " + text_of(shape.width()) +
              " degrees of longitude; there must be at most 360");
+    constexpr double tolerance = 0.01; // of a cell
+    if(shape.is_periodic && !(shape.width() >= most - tolerance * shape.cell_width))
+      reject("the grid is periodic, and extends over " + text_of(shape.width()) +
+             " degrees of longitude; there must be 360");
+  }
+
+  static void check_ellipsoid(const Grid_ellipsoid& ellipsoid)
+  {
+    checked_positive(ellipsoid.equatorial_radius, "the equatorial radius");
+    if(!(ellipsoid.flattening >= 0 && ellipsoid.flattening < 1))
+      reject("the flattening is " + text_of(ellipsoid.flattening) +
+             "; it must be from 0 to below 1");
   }
 
   // Returns the sides of a cell whose center is so many rows from where the first row begins: the
   // radii of curvature of the ellipsoid in both directions, times angles.
   static Sides sides_at(const Grid_shape& shape, const double rows)
   {
-    constexpr double equatorial_radius = 6378137, flattening = 1 / 298.257223563;
-    constexpr double eccentricity = flattening * (2 - flattening); // its square
+    const double flattening = shape.ellipsoid.flattening;
+    const double eccentricity = flattening * (2 - flattening); // its square
     const double radians = std::acos(-1.) / 180;
     const double latitude = (*shape.first_latitude - rows * shape.cell_height) * radians;
     const double sine = std::sin(latitude);
     const double square = 1 - eccentricity * sine * sine;
-    const double across = equatorial_radius / std::sqrt(square);
+    const double across = shape.ellipsoid.equatorial_radius / std::sqrt(square);
     return {shape.cell_width * radians * across * std::cos(latitude),
             shape.cell_height * radians * across * (1 - eccentricity) / square};
   }

@@ -12,6 +12,7 @@
 #include <CGAL/Approximate_geodesics/Base/internal/messages.h>
 #include <CGAL/Approximate_geodesics/Graphs/Grid_shape.h>
 #include <CGAL/Approximate_geodesics/Graphs/Grid_vector.h>
+#include <CGAL/Approximate_geodesics/Graphs/internal/Grid/Cell_storage.h>
 #include <CGAL/Approximate_geodesics/Graphs/internal/Grid/Grid_lines.h>
 #include <CGAL/Approximate_geodesics/Graphs/internal/Grid/Grid_metric.h>
 #include <CGAL/Approximate_geodesics/Graphs/internal/Grid/Slope_costs.h>
@@ -119,7 +120,7 @@ public:
   // Returns the cost of a line by the function of cells.
   double cost_by_cells(const Grid_lines& lines,
                        const Grid_lines::Line& line,
-                       const Grid_shape& shape,
+                       const Cell_storage& storage,
                        const std::size_t from,
                        const Grid_metric::Sides& sides,
                        const double* const friction) const
@@ -141,7 +142,7 @@ public:
         return infinity;
       const Grid_vector ahead = direction(line, sides, slope);
       for(; i < piece.beyond_part; ++i)
-        result += stretch * cost_of_part(lines.parts()[i], shape, from, ahead, friction);
+        result += stretch * cost_of_part(lines.parts()[i], storage, from, ahead, friction);
     }
     return result;
   }
@@ -204,7 +205,7 @@ private:
   }
 
   double cost_of_part(const Grid_lines::Part& part,
-                      const Grid_shape& shape,
+                      const Cell_storage& storage,
                       const std::size_t from,
                       const Grid_vector& direction,
                       const double* const friction) const
@@ -212,7 +213,7 @@ private:
     const std::size_t i = from + static_cast<std::size_t>(part.offset); // may wrap around
     if(friction[i] == infinity)
       return infinity;
-    const Grid_cell cell = shape.cell(i);
+    const Grid_cell cell = storage.cell(i);
     const double cost = checked_cost(cell, direction);
     return cost == infinity ? infinity : part.length * friction[i] * cost;
   }

@@ -14,6 +14,7 @@
 #include <CGAL/Approximate_geodesics/Base/internal/named_parameters.h>
 #include <CGAL/Approximate_geodesics/Graphs/Grid_shape.h>
 #include <CGAL/Approximate_geodesics/Graphs/Grid_vector.h>
+#include <CGAL/Approximate_geodesics/Graphs/internal/Grid/Cell_storage.h>
 #include <CGAL/Approximate_geodesics/Graphs/internal/Grid/Line_costs.h>
 #include <CGAL/Approximate_geodesics/Graphs/internal/Grid/Slope_costs.h>
 #include <CGAL/number_utils.h>
@@ -23,6 +24,7 @@
 #include <cstddef>
 #include <functional>
 #include <iterator>
+#include <optional>
 #include <string>
 #include <type_traits>
 #include <utility>
@@ -53,6 +55,13 @@ read_cells(const Grid_shape& shape, const Range& range, const char* const role, 
   return result;
 }
 
+// Returns what stands for no data in a range.
+template <typename Range>
+std::optional<double> no_data_in(const Range& range, const Grid_shape& shape)
+{
+  return no_data_of<std::decay_t<decltype(*std::begin(range))>>(shape.no_data);
+}
+
 // Friction is a range of numbers, or one number, which is not compared with `no_data`: this may be
 // a height. Returns infinity for cells that cannot be entered.
 template <typename FrictionRange>
@@ -61,9 +70,12 @@ std::vector<double> read_friction(const Grid_shape& shape, const FrictionRange& 
   if constexpr(std::is_convertible_v<const FrictionRange&, double>)
     return std::vector<double>(shape.number_of_cells(), checked_friction(friction, {}));
   else
+  {
+    const std::optional<double> no_data = no_data_in(friction, shape);
     return read_cells(shape, friction, "friction", [&](const double value, const Grid_cell& cell) {
-      return is_no_data(shape.no_data, value) ? infinity : checked_friction(value, cell);
+      return is_no_data(no_data, value) ? infinity : checked_friction(value, cell);
     });
+  }
 }
 
 // Gives a cell without a height the mean of its neighbors that can be entered: a line that passes
@@ -75,9 +87,10 @@ inline void extend_height(const Grid_shape& shape,
 {
   double sum = 0, number = 0;
   for(std::size_t row = cell.row - 1; row != cell.row + 2; ++row) // numbers below 0 wrap around
-    for(std::size_t column = cell.column - 1; column != cell.column + 2; ++column)
-      if(const Grid_cell neighbor{column, row};
-         column < shape.columns && row < shape.rows && friction[shape.index(neighbor)] < infinity)
+    for(std::size_t i = cell.column - 1; i != cell.column + 2; ++i)
+      if(const Grid_cell neighbor{shape.is_periodic ? (i + shape.columns) % shape.columns : i, row};
+         neighbor.column < shape.columns && row < shape.rows &&
+         friction[shape.index(neighbor)] < infinity)
       {
         sum += heights[shape.index(neighbor)];
         ++number;
@@ -91,10 +104,11 @@ std::vector<double>
 read_heights(const Grid_shape& shape, const HeightRange& range, std::vector<double>& friction)
 {
   constexpr double too_large = 1e100;
+  const std::optional<double> no_data = no_data_in(range, shape);
   std::vector<std::size_t> without;
   std::vector<double> result =
       read_cells(shape, range, "height", [&](const double height, const Grid_cell& cell) {
-        if(is_no_data(shape.no_data, height))
+        if(is_no_data(no_data, height))
         {
           without.push_back(shape.index(cell));
           friction[without.back()] = infinity;
@@ -136,10 +150,12 @@ std::vector<double> heights_of(const Grid_shape& shape,
 
 // Reads heights and cost functions. Cells without a height get infinite friction.
 template <typename NamedParameters>
-Line_costs
-read_line_costs(const Grid_shape& shape, std::vector<double>& friction, const NamedParameters& np)
+Line_costs read_line_costs(const Grid_shape& shape,
+                           const Cell_storage& storage,
+                           std::vector<double>& friction,
+                           const NamedParameters& np)
 {
-  std::vector<double> heights = heights_of(shape, friction, np);
+  std::vector<double> heights = storage.kept(heights_of(shape, friction, np));
   const int sign = parameters::choose_parameter(
                        parameters::get_parameter(np, internal_np::direction_to_source), false)
                        ? -1

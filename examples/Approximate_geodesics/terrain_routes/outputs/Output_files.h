@@ -1,15 +1,16 @@
 #ifndef TERRAIN_ROUTES_OUTPUT_FILES_H
 #define TERRAIN_ROUTES_OUTPUT_FILES_H
 
-#include "../command_line/New_file.h"
-#include "../command_line/New_files.h"
-#include "../command_line/read_options.h"
-#include "Answer.h"
-#include "Options.h"
+#include "../../command_line/New_file.h"
+#include "../../command_line/New_files.h"
+#include "../../command_line/read_options.h"
+#include "../Answer.h"
+#include "../Options.h"
+#include "../rasters/raster_files.h"
 #include "picture.h"
-#include "rasters/raster_files.h"
 #include "write_lines.h"
 
+#include <algorithm>
 #include <cstddef>
 #include <filesystem>
 #include <ostream>
@@ -36,25 +37,29 @@ public:
       check_drawing_programs();
     for(const std::string& file : names())
       check(file);
+    if(const std::vector<std::string> stale = stale_files(); !stale.empty() && !options.overwrites)
+      reject_option("output", stale.front() + " is of an earlier call, and would stay beside what "
+                                              "is written; --force removes it");
   }
 
   // Writes all of them, or none.
   void write(Answer& answer) const
   {
     New_files files(m_options.overwrites);
-    const auto raster = [&](const char* const ending, const auto row) {
+    const auto raster = [&](const char* const ending, const std::string& unit, const auto row) {
       write_raster(
-          files, name(ending + m_raster), answer.frame(),
+          files, name(ending + m_raster), answer.frame(), unit,
           [&, row](const std::size_t i) -> const std::vector<double>& { return (answer.*row)(i); });
     };
     const auto lines = [&](const char* const ending, const auto write_lines) {
       files.write(name(ending), [&](std::ostream& out) { write_lines(out, answer); });
     };
-    raster("_cost", &Answer::cost_row);
+    const std::string unit = answer.costs().unit_of_costs();
+    raster("_cost", unit, &Answer::cost_row);
     if(m_options.writes_back_links)
-      raster("_back_links", &Answer::back_link_row);
+      raster("_back_links", "degrees", &Answer::back_link_row);
     if(m_options.writes_corridor)
-      raster("_corridor", &Answer::corridor_row);
+      raster("_corridor", unit, &Answer::corridor_row);
     if(!m_options.targets.empty())
       lines("_paths.geojson", write_routes);
     if(m_options.writes_table)
@@ -62,8 +67,11 @@ public:
     if(m_options.has_isochrones())
       lines("_isochrones.geojson", write_isochrones);
     if(m_options.draws)
-      draw_picture(m_options.output, files.add(name(".png")), answer);
+      draw_picture(m_options.output, files.add(name(".png")), m_options.colors, answer);
     files.put_in_place();
+    for(const std::string& file : stale_files())
+      if(std::error_code error; !std::filesystem::remove(file, error) && error)
+        fail_to("remove", file, error.value());
   }
 
   void print(std::ostream& out) const
@@ -92,6 +100,25 @@ private:
   }
 
   std::string name(const std::string& ending) const { return m_options.output + ending; }
+
+  // Files that another call has written under this name, and this one does not replace.
+  std::vector<std::string> stale_files() const
+  {
+    const std::vector<std::string> written = names();
+    std::vector<std::string> result;
+    const auto look_for = [&](const std::string& file) {
+      if(std::filesystem::is_regular_file(file) && !is_same(file, m_options.friction) &&
+         !is_same(file, m_options.heights) &&
+         std::find(written.begin(), written.end(), file) == written.end())
+        result.push_back(file);
+    };
+    for(const char* const raster : {"_cost", "_back_links", "_corridor"})
+      for(const char* const ending : {".tif", ".asc", ".npy"})
+        look_for(name(std::string(raster) + ending));
+    for(const char* const ending : {"_paths.geojson", "_paths.csv", "_isochrones.geojson", ".png"})
+      look_for(name(ending));
+    return result;
+  }
 
   std::vector<std::string> names() const
   {

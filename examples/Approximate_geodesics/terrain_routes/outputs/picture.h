@@ -1,10 +1,10 @@
 #ifndef TERRAIN_ROUTES_PICTURE_H
 #define TERRAIN_ROUTES_PICTURE_H
 
-#include "../command_line/New_files.h"
-#include "../command_line/quoted_for_shell.h"
-#include "../command_line/read_options.h"
-#include "Answer.h"
+#include "../../command_line/New_files.h"
+#include "../../command_line/quoted_for_shell.h"
+#include "../../command_line/read_options.h"
+#include "../Answer.h"
 #include "write_lines.h"
 
 #include <algorithm>
@@ -160,29 +160,57 @@ inline void write_isochrones_for_gnuplot(std::ostream& out, const Answer& answer
 {
   const Isochrones& isochrones = answer.isochrones();
   for(std::size_t i = 0; i < isochrones.values().size(); ++i)
-    for(const Isochrones::Line& line : isochrones.lines(i))
-    {
-      for(const Grid_point& point : line)
+    for(const Line& line : isochrones.lines(i))
+      for(const Line& part : parts_on_raster(line, answer.costs().shape()))
       {
-        const Grid_point p = on_map(point, answer.frame());
-        out << p.x << ' ' << p.y << ' ' << isochrones.values()[i] << '\n';
+        for(const Grid_point& point : part)
+        {
+          const Grid_point p = on_map(point, answer.frame());
+          out << p.x << ' ' << p.y << ' ' << isochrones.values()[i] << '\n';
+        }
+        out << '\n';
       }
-      out << '\n';
-    }
 }
 
 inline void write_routes_for_gnuplot(std::ostream& out, const Answer& answer)
 {
   out << "# x y\n";
   for(const Route& route : answer.routes())
-  {
-    for(const Grid_point& point : route.points)
+    for(const Line& part : parts_on_raster(route.points, answer.costs().shape()))
     {
-      const Grid_point p = on_map(point, answer.frame());
-      out << p.x << ' ' << p.y << '\n';
+      for(const Grid_point& point : part)
+      {
+        const Grid_point p = on_map(point, answer.frame());
+        out << p.x << ' ' << p.y << '\n';
+      }
+      out << '\n';
     }
-    out << '\n';
+}
+
+inline void write_centers_for_gnuplot(std::ostream& out,
+                                      const std::vector<Grid_cell>& cells,
+                                      const Raster_frame& frame)
+{
+  out << "# x y\n";
+  for(const Grid_cell& cell : cells)
+  {
+    const Grid_point p = on_map(
+        {static_cast<double>(cell.column) + 0.5, static_cast<double>(cell.row) + 0.5}, frame);
+    out << p.x << ' ' << p.y << '\n';
   }
+}
+
+inline void write_sources_for_gnuplot(std::ostream& out, const Answer& answer)
+{
+  write_centers_for_gnuplot(out, answer.sources(), answer.frame());
+}
+
+inline void write_targets_for_gnuplot(std::ostream& out, const Answer& answer)
+{
+  std::vector<Grid_cell> targets;
+  for(const Route& route : answer.routes())
+    targets.push_back(route.target);
+  write_centers_for_gnuplot(out, targets, answer.frame());
 }
 
 // A text in a script of gnuplot.
@@ -192,6 +220,37 @@ inline std::string quoted_for_gnuplot(const std::string& text)
   for(const char c : text)
     result += c == '\'' ? std::string("''") : std::string(1, c);
   return result + "'";
+}
+
+// Returns what the axes show, with units.
+inline std::string variables_of_labels(const Answer& answer)
+{
+  const Map_system& system = answer.frame().system;
+  const std::string unit = in_parentheses(!system.is_geographic ? system.unit.name
+                                          : system.degrees == 1 ? "degrees"
+                                                                : "");
+  const auto label = [&](const char* const angle, const char* const length) {
+    return quoted_for_gnuplot((system.is_geographic ? angle : length) + unit);
+  };
+  const std::string cost =
+      (answer.goes_to_sources() ? "cost to the nearest source" : "cost from the nearest source") +
+      in_parentheses(answer.costs().unit_of_costs());
+  return "x_label=" + label("longitude", "x") + "; y_label=" + label("latitude", "y") +
+         "; cost_label=" + quoted_for_gnuplot(cost) + "; ";
+}
+
+inline bool has_isochrones(const Answer& answer)
+{
+  for(std::size_t i = 0; i < answer.isochrones().values().size(); ++i)
+    if(!answer.isochrones().lines(i).empty())
+      return true;
+  return false;
+}
+
+inline bool has_routes(const Answer& answer)
+{
+  return std::any_of(answer.routes().begin(), answer.routes().end(),
+                     [](const Route& route) { return !route.points.empty(); });
 }
 
 // What the script has to know of the map.
@@ -208,15 +267,21 @@ inline std::string variables_of_map(const Answer& answer)
       << "; x_max=" << std::max(frame.x, end.x) << "; y_min=" << std::min(frame.y, end.y)
       << "; y_max=" << std::max(frame.y, end.y) << "; downward=" << (frame.y_step > 0)
       << "; columns=" << background.columns.size() << "; rows=" << background.rows.size()
-      << "; source='" << (answer.goes_to_sources() ? "to" : "from")
-      << " the nearest source'; ratio=" << rows * sides.height / (columns * sides.width) << "; ";
+      << "; has_isochrones=" << has_isochrones(answer) << "; has_routes=" << has_routes(answer)
+      << "; has_targets=" << !answer.routes().empty()
+      << "; ratio=" << rows * sides.height / (columns * sides.width) << "; ";
   return out.str();
 }
 
-inline void draw_picture(const std::string& name, const std::string& place, const Answer& answer)
+inline void draw_picture(const std::string& name,
+                         const std::string& place,
+                         const std::string& colors,
+                         const Answer& answer)
 {
   New_files parts(true); // never put in place
-  std::string variables = variables_of_map(answer) + "picture=" + quoted_for_gnuplot(place) + "; ";
+  std::string variables = variables_of_map(answer) + variables_of_labels(answer) +
+                          "colors=" + quoted_for_gnuplot(colors) +
+                          "; picture=" + quoted_for_gnuplot(place) + "; ";
   const auto add = [&](const char* const variable, const auto write) {
     const std::string file =
         parts.write(name + '.' + variable, [&](std::ostream& out) { write(out, answer); });
@@ -225,6 +290,8 @@ inline void draw_picture(const std::string& name, const std::string& place, cons
   add("background", write_background);
   add("isochrones", write_isochrones_for_gnuplot);
   add("routes", write_routes_for_gnuplot);
+  add("sources", write_sources_for_gnuplot);
+  add("targets", write_targets_for_gnuplot);
   const std::string command =
       "gnuplot -e " + quoted_for_shell(variables) + ' ' + quoted_for_shell(DRAW_ROUTES_SCRIPT);
   if(std::system(command.c_str()) != 0)
