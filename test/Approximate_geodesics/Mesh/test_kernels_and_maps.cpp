@@ -120,8 +120,8 @@ TEST_F(Maps, given_to_the_class)
   const auto mirrored = boost::make_function_property_map<Vertex>([&](const Vertex v) {
     return Point(-m_mesh.point(v).x(), m_mesh.point(v).y(), m_mesh.point(v).z());
   });
-  Paths_along_edges<Mesh> paths(
-      m_mesh, parameters::vertex_index_map(backward).vertex_point_map(mirrored));
+  Paths_along_edges<Mesh> paths(m_mesh,
+                                parameters::vertex_index_map(backward).vertex_point_map(mirrored));
   paths.add_source_point(Vertex(5));
   for(const Vertex v : m_mesh.vertices())
   {
@@ -194,8 +194,7 @@ TEST(Points, may_be_of_any_type)
   ASSERT_EQ(points.size(), 3u);
   EXPECT_EQ(points[1].letter, 'b');
 
-  Paths_along_edges<CGAL::Surface_mesh<Name>> paths(
-      mesh, parameters::edge_length_map(map));
+  Paths_along_edges<CGAL::Surface_mesh<Name>> paths(mesh, parameters::edge_length_map(map));
   paths.add_source_point(c);
   points.clear();
   paths.shortest_path_points_to_source_points(a, std::back_inserter(points));

@@ -22,8 +22,7 @@ namespace {
 
 using namespace geodesics_test;
 namespace parameters = CGAL::parameters;
-using Shortest_paths =
-    CGAL::Approximate_geodesics::Surface_mesh_shortest_path<Mesh, Graph>;
+using Shortest_paths = CGAL::Approximate_geodesics::Surface_mesh_shortest_path<Mesh, Graph>;
 
 struct Vertex_sequence
 {
