@@ -19,16 +19,18 @@ int main(int argc, char* argv[])
 {
   Mesh mesh;
   if(!CGAL::IO::read_polygon_mesh(argc > 1 ? argv[1] : CGAL::data_file_path("meshes/elephant.off"),
-                                  mesh))
+                                  mesh) ||
+     mesh.is_empty())
     return EXIT_FAILURE;
+  const Vertex source(0), target(mesh.number_of_vertices() - 1);
   const auto within_5_percent = CGAL::parameters::epsilon(0.05);
 
   auto distance = mesh.add_property_map<Vertex, double>("v:distance").first;
-  CGAL::approximate_geodesic_distances(mesh, distance, Vertex(0), within_5_percent);
-  std::cout << "vertex 0 to vertex 1000: " << distance[Vertex(1000)] << "\n";
+  CGAL::approximate_geodesic_distances(mesh, distance, source, within_5_percent);
+  std::cout << source << " to " << target << ": " << distance[target] << "\n";
 
   std::vector<Point> path;
-  const double length = CGAL::approximate_geodesic_path(mesh, std::back_inserter(path), Vertex(0),
-                                                        Vertex(1000), within_5_percent);
+  const double length = CGAL::approximate_geodesic_path(mesh, std::back_inserter(path), source,
+                                                        target, within_5_percent);
   std::cout << "a path of " << path.size() << " points and length " << length << "\n";
 }

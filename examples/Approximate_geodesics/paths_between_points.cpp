@@ -4,6 +4,7 @@
 #include <CGAL/AABB_face_graph_triangle_primitive.h>
 #include <CGAL/AABB_tree.h>
 #include <CGAL/Approximate_geodesics/Graphs/Discrete_geodesic_graph.h>
+#include <CGAL/Approximate_geodesics/Graphs/Edge_graph.h>
 #include <CGAL/Approximate_geodesics/Mesh/internal/aabb_traits.h>
 #include <CGAL/Approximate_geodesics/Surface_mesh_shortest_path.h>
 #include <CGAL/Polygon_mesh_processing/bbox.h>
@@ -23,7 +24,7 @@ namespace AG = CGAL::Approximate_geodesics;
 
 using Kernel = CGAL::Simple_cartesian<double>;
 using Mesh = CGAL::Surface_mesh<Kernel::Point_3>;
-using Along_edges = AG::Surface_mesh_shortest_path<Mesh>;
+using Along_edges = AG::Surface_mesh_shortest_path<Mesh, AG::Edge_graph>;
 using Across_faces = AG::Surface_mesh_shortest_path<Mesh, AG::Discrete_geodesic_graph>;
 using AABB_traits = CGAL::AABB_traits_3<Kernel, CGAL::AABB_face_graph_triangle_primitive<Mesh>>;
 

@@ -2,6 +2,7 @@
 // and the same code with CGAL's exact class, for which another type is all that it takes.
 
 #include <CGAL/Approximate_geodesics/Graphs/Discrete_geodesic_graph.h>
+#include <CGAL/Approximate_geodesics/Graphs/Edge_graph.h>
 #include <CGAL/Approximate_geodesics/Surface_mesh_shortest_path.h>
 #include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
 #include <CGAL/Real_timer.h>
@@ -21,7 +22,7 @@ using Mesh = CGAL::Surface_mesh<Kernel::Point_3>;
 using Vertex = Mesh::Vertex_index;
 
 namespace AG = CGAL::Approximate_geodesics;
-using Along_edges = AG::Surface_mesh_shortest_path<Mesh>;
+using Along_edges = AG::Surface_mesh_shortest_path<Mesh, AG::Edge_graph>;
 using Across_faces = AG::Surface_mesh_shortest_path<Mesh, AG::Discrete_geodesic_graph>;
 using Exact =
     CGAL::Surface_mesh_shortest_path<CGAL::Surface_mesh_shortest_path_traits<Kernel, Mesh>>;

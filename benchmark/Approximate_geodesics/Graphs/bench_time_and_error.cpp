@@ -26,37 +26,43 @@
 #include <CGAL/Approximate_geodesics/Graphs/equal_parts.h>
 #include <CGAL/Approximate_geodesics/Mesh/Triangulation_builder.h>
 #include <CGAL/Approximate_geodesics/Search/Propagation.h>
+#include <CGAL/approximate_geodesic_distances.h>
 
+#include <algorithm>
 #include <cstddef>
 #include <functional>
 #include <memory>
 #include <sstream>
 #include <string>
+#include <type_traits>
 #include <utility>
 #include <vector>
 
 namespace AG = CGAL::Approximate_geodesics;
 namespace parameters = CGAL::parameters;
 
-// All methods take turns, with the same sources. A first source includes all that has to be
-// prepared.
+// All methods take turns, with the same sources. A first source is one call of the function with
+// everything included, or, where no function takes the graph, preparing and searching it.
 class Error_benchmark
 {
 public:
   Error_benchmark(const std::string& name, const std::size_t number_of_rounds)
     : m_mesh(read_mesh(name)),
       m_expected(name, m_mesh, random_sources(m_mesh, number_of_rounds)),
-      m_triangulation(m_mesh)
+      m_triangulation(m_mesh),
+      m_distance(m_mesh.add_property_map<Vertex, double>("v:distance").first)
   {
     add_graphs();
     add_peers();
     m_first.run(number_of_rounds);
+    m_prepare.run(number_of_rounds);
     m_further.run(number_of_rounds);
   }
 
   Table table() const
   {
-    Table result({"method", "parameter", "first ms", "further ms", "mean %", "largest %"});
+    Table result({"method", "parameter", "first ms", "prepare ms", "further ms", "mean %",
+                  "largest %", "bytes/vertex"});
     for(std::size_t i = 0; i < m_methods.size(); ++i)
     {
       const Errors errors = this->errors(m_methods[i]);
@@ -64,9 +70,12 @@ public:
           .add(m_methods[i].name)
           .add(m_methods[i].parameter)
           .add(m_first.median_seconds(i) * 1e3, 2)
+          .add(m_prepare.median_seconds(i) * 1e3, 2)
           .add(m_further.median_seconds(i) * 1e3, 2)
           .add(errors.mean() * 100, 5)
-          .add(errors.largest() * 100, 4);
+          .add((std::max)(errors.largest(), -errors.least()) * 100, 4)
+          .add_if(m_methods[i].bytes > 0,
+                  double(m_methods[i].bytes) / double(m_mesh.number_of_vertices()), 0);
     }
     return result;
   }
@@ -77,6 +86,7 @@ private:
     std::string name, parameter;
     std::function<void(Vertex)> run;
     std::function<double(Vertex)> distance; // in the last run
+    std::size_t bytes = 0;                  // of the graph, if there is one
   };
 
   template <typename Number>
@@ -116,13 +126,25 @@ private:
     const auto graph = std::make_shared<Graph>(m_triangulation, np);
     const auto search = std::make_shared<AG::Propagation<Graph>>(*graph);
     const auto node = [graph](const Vertex v) { return graph->triangulation().vertex(v.idx()); };
-    m_first.add([this, np](const auto round) {
-      const Graph fresh(AG::Intrinsic_triangulation(m_mesh), np);
-      const Vertex source = m_expected.sources()[round];
-      AG::Propagation<Graph>(fresh).run_from(fresh.triangulation().vertex(source.idx()));
-    });
+    m_first.add(
+        [this, np](const auto round) { run_first<Graph>(m_expected.sources()[round], np); });
+    m_prepare.add([this, np](auto) { Graph(AG::Intrinsic_triangulation(m_mesh), np); });
     add({name, parameter, [search, node](const Vertex source) { search->run_from(node(source)); },
-         [search, node](const Vertex v) { return search->distance(node(v)); }});
+         [search, node](const Vertex v) { return search->distance(node(v)); }, graph->memory()});
+  }
+
+  template <typename Graph, typename NamedParameters>
+  void run_first(const Vertex source, const NamedParameters& np) const
+  {
+    if constexpr(std::is_same_v<Graph, AG::Discrete_geodesic_graph>)
+    {
+      const Graph graph(AG::Intrinsic_triangulation(m_mesh), np);
+      AG::Propagation<Graph>(graph).run_from(graph.triangulation().vertex(source.idx()));
+    }
+    else if constexpr(std::is_same_v<Graph, AG::Saddle_vertex_graph>)
+      CGAL::approximate_geodesic_distances(m_mesh, m_distance, source, parameters::epsilon(0));
+    else
+      CGAL::approximate_geodesic_distances(m_mesh, m_distance, source, np);
   }
 
   template <typename Search>
@@ -130,6 +152,7 @@ private:
   {
     const auto search = std::make_shared<Search>(m_mesh);
     m_first.add([this](const auto round) { Search(m_mesh).run(m_expected.sources()[round]); });
+    m_prepare.add([this](auto) { Search{m_mesh}; });
     add({name, "-", [search](const Vertex source) { search->run(source); },
          [search](const Vertex v) { return search->distance(v); }});
   }
@@ -155,8 +178,9 @@ private:
   Mesh m_mesh;
   Exact_case m_expected;
   AG::Intrinsic_triangulation m_triangulation;
+  Mesh::Property_map<Vertex, double> m_distance; // of calls of the function
   std::vector<Method> m_methods;
-  Contest m_first, m_further;
+  Contest m_first, m_prepare, m_further;
 };
 
 int main(int argc, char* argv[])
@@ -165,7 +189,8 @@ int main(int argc, char* argv[])
     const std::string& name = options.meshes.front();
     report.print("time_and_error",
                  "Errors against time on " + short_name(name) +
-                     ": a first source with everything included, and a further one (medians of " +
+                     ": a first source with everything included; what is prepared once, and a "
+                     "further source (medians of " +
                      std::to_string(options.number_of_rounds) + ")",
                  Error_benchmark(name, options.number_of_rounds).table());
   };

@@ -210,7 +210,7 @@ int main(int argc, char* argv[])
     {
       const Mesh mesh = read_mesh(name);
       const Pairs pairs(mesh, options.number_of_rounds);
-      AG::Surface_mesh_shortest_path<Mesh> along_edges(mesh);
+      AG::Surface_mesh_shortest_path<Mesh, AG::Edge_graph> along_edges(mesh);
       AG::Surface_mesh_shortest_path<Mesh, AG::Discrete_geodesic_graph> across_faces(
           mesh, CGAL::parameters::epsilon(0.1));
       const Result edges = straighten_paths(along_edges, pairs);

@@ -8,7 +8,7 @@
 
 #include <CGAL/license/Approximate_geodesics.h>
 
-#include <CGAL/Approximate_geodesics/Graphs/Edge_graph.h>
+#include <CGAL/Approximate_geodesics/Graphs/Saddle_vertex_graph.h>
 #include <CGAL/Approximate_geodesics/Mesh/Mesh_translation.h>
 #include <CGAL/Approximate_geodesics/Mesh/Source_curve.h>
 #include <CGAL/Approximate_geodesics/Mesh/Surface_locations.h>
@@ -44,15 +44,17 @@ namespace CGAL::Approximate_geodesics {
 /*!
  * \ingroup PkgApproximateGeodesicsClasses
  *
- * Approximate shortest paths on a triangle mesh, from any number of sources.
+ * Shortest paths on a triangle mesh, from any number of sources: exact ones, or those of another
+ * graph.
  *
  * The graph is built once, by the constructor; runs from other sources only search it. Names and
  * results of the member functions are those of the exact class `CGAL::Surface_mesh_shortest_path`,
- * so the classes are interchangeable by changing a type definition. Paths and distances are those
- * of the graph: never shorter than the exact ones, with an error that depends on the graph.
- * `Edge_graph` has no error bound and is the fastest; for `Discrete_geodesic_graph`, the bound is
- * `epsilon`, and also for `Steiner_graph`, which supports faces with weights: there, "length" and
- * "distance" mean cost.
+ * so a program exchanges the header and the type, and its distances and paths are still exact.
+ *
+ * Other graphs trade exactness for speed, or have costs. Their distances and paths are never
+ * shorter than the exact ones. For `Discrete_geodesic_graph`, the error is at most `epsilon`, and
+ * also for `Steiner_graph`, which supports faces with weights: there, "length" and "distance" mean
+ * cost. `Edge_graph` is the fastest, and has no error bound: it has to be named.
  *
  * In a `Directional_graph`, where costs depend on the direction, distances are those from the
  * sources, or to the sources if the graph was constructed with `direction_to_source(true)` or is
@@ -73,7 +75,7 @@ namespace CGAL::Approximate_geodesics {
  * \sa `approximate_geodesic_distances()`, `approximate_geodesic_path()`
  */
 template <typename TriangleMesh,
-          typename SurfaceGraph = Edge_graph,
+          typename SurfaceGraph = Saddle_vertex_graph,
           typename PriorityQueue = Adaptive_bucket_queue>
 class Surface_mesh_shortest_path : public Surface_locations<TriangleMesh>
 {

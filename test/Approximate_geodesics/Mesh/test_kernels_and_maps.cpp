@@ -120,8 +120,8 @@ TEST_F(Maps, given_to_the_class)
   const auto mirrored = boost::make_function_property_map<Vertex>([&](const Vertex v) {
     return Point(-m_mesh.point(v).x(), m_mesh.point(v).y(), m_mesh.point(v).z());
   });
-  CGAL::Approximate_geodesics::Surface_mesh_shortest_path<Mesh> paths(
-      m_mesh, parameters::vertex_index_map(backward).vertex_point_map(mirrored));
+  Paths_along_edges<Mesh> paths(m_mesh,
+                                parameters::vertex_index_map(backward).vertex_point_map(mirrored));
   paths.add_source_point(Vertex(5));
   for(const Vertex v : m_mesh.vertices())
   {
@@ -165,7 +165,7 @@ TEST(Surface_mesh, with_garbage)
   for(std::size_t i = 0; i < vertices.size(); ++i)
     EXPECT_EQ(found[i], field.distance[vertices[i].idx()]);
 
-  CGAL::Approximate_geodesics::Surface_mesh_shortest_path<Mesh> paths(mesh);
+  Paths_along_edges<Mesh> paths(mesh);
   paths.add_source_point(vertices[0]);
   for(const Vertex v : vertices)
   {
@@ -194,8 +194,7 @@ TEST(Points, may_be_of_any_type)
   ASSERT_EQ(points.size(), 3u);
   EXPECT_EQ(points[1].letter, 'b');
 
-  CGAL::Approximate_geodesics::Surface_mesh_shortest_path<CGAL::Surface_mesh<Name>> paths(
-      mesh, parameters::edge_length_map(map));
+  Paths_along_edges<CGAL::Surface_mesh<Name>> paths(mesh, parameters::edge_length_map(map));
   paths.add_source_point(c);
   points.clear();
   paths.shortest_path_points_to_source_points(a, std::back_inserter(points));

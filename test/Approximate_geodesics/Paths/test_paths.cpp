@@ -22,7 +22,7 @@ namespace {
 
 using namespace geodesics_test;
 namespace parameters = CGAL::parameters;
-using Shortest_paths = CGAL::Approximate_geodesics::Surface_mesh_shortest_path<Mesh>;
+using Shortest_paths = CGAL::Approximate_geodesics::Surface_mesh_shortest_path<Mesh, Graph>;
 
 struct Vertex_sequence
 {

@@ -64,7 +64,7 @@ TEST(Surface_paths, are_straight_in_the_plane)
 TEST(Surface_paths, are_straight_in_a_face)
 {
   for_generated_meshes([](const Mesh& mesh, Random& random) {
-    AG::Surface_mesh_shortest_path<Mesh> on_edges(mesh);
+    AG::Surface_mesh_shortest_path<Mesh, AG::Edge_graph> on_edges(mesh);
     AG::Surface_mesh_shortest_path<Mesh, Steiner_graph<Fixed_number_of_points>> on_points(mesh);
     for(int i = 0; i < 20; ++i)
     {
@@ -166,7 +166,7 @@ TEST(Surface_paths, along_edges_start_and_end_straight)
 {
   for_generated_meshes([](const Mesh& mesh, Random& random) {
     Mesh_search search(mesh);
-    AG::Surface_mesh_shortest_path<Mesh> paths(mesh);
+    AG::Surface_mesh_shortest_path<Mesh, AG::Edge_graph> paths(mesh);
     const Surface_point source = random_surface_point(mesh, random);
     paths.add_source_point(source);
     std::vector<std::vector<double>> from_corners;

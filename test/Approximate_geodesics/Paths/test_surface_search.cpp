@@ -207,7 +207,7 @@ TEST_F(Surface_searches, take_graphs_that_have_what_concepts_ask_for)
   expect_message<std::invalid_argument>([&] { search.run_from_curves({{{m_points}}}); }, "curves");
 
   AG::Surface_mesh_shortest_path<Mesh, Graph_with_lines> paths(m_mesh);
-  AG::Surface_mesh_shortest_path<Mesh> expected(m_mesh);
+  AG::Surface_mesh_shortest_path<Mesh, AG::Edge_graph> expected(m_mesh);
   paths.add_source_point(Vertex(5));
   expected.add_source_point(Vertex(5));
   for(const Vertex v : m_mesh.vertices())

@@ -30,7 +30,8 @@ namespace {
 
 namespace AG = CGAL::Approximate_geodesics;
 using namespace geodesics_test;
-using Our_shortest_paths = AG::Surface_mesh_shortest_path<Mesh, AG::Discrete_geodesic_graph>;
+using Our_shortest_paths = AG::Surface_mesh_shortest_path<Mesh>; // only header and type differ
+using Paths_across_faces = AG::Surface_mesh_shortest_path<Mesh, AG::Discrete_geodesic_graph>;
 
 constexpr double TOLERANCE = 1e-6; // lengths of arcs may be rounded up to a `float`
 
@@ -73,10 +74,12 @@ struct Names_of_classes
   template <typename Shortest_paths>
   static std::string GetName(int)
   {
-    return std::is_same_v<Shortest_paths, Exact_shortest_paths> ? "exact" : "ours";
+    return std::is_same_v<Shortest_paths, Exact_shortest_paths> ? "exact"
+           : std::is_same_v<Shortest_paths, Our_shortest_paths> ? "ours"
+                                                                : "ours_across_faces";
   }
 };
-using Classes = testing::Types<Our_shortest_paths, Exact_shortest_paths>;
+using Classes = testing::Types<Our_shortest_paths, Paths_across_faces, Exact_shortest_paths>;
 TYPED_TEST_SUITE(Both, Classes, Names_of_classes);
 
 TYPED_TEST(Both, keep_iterators_valid)
@@ -285,6 +288,27 @@ TYPED_TEST(Both, compute_points_and_places)
 }
 
 // ----- lengths
+
+TEST(Our_class, is_exact_if_no_graph_is_named)
+{
+  Random random(test_seed());
+  for(const Soup& soup : {flat_grid(9, 7), terrain(14, 11, random), sphere(16, 11), fan(30, 2)})
+  {
+    const Mesh mesh = to_mesh(soup);
+    const Vertex source(static_cast<Mesh::size_type>(random.below(mesh.number_of_vertices())));
+    const std::vector<double> exact = exact_distances(mesh, source);
+    Our_shortest_paths paths(mesh);
+    paths.add_source_point(source);
+    for(const Vertex v : mesh.vertices())
+    {
+      std::vector<Point> points;
+      EXPECT_NEAR(paths.shortest_distance_to_source_points(v).first, exact[v.idx()],
+                  1e-9 * exact[v.idx()]);
+      EXPECT_NEAR(paths.shortest_path_points_to_source_points(v, std::back_inserter(points)).first,
+                  exact[v.idx()], 1e-9 * exact[v.idx()]);
+    }
+  }
+}
 
 // Never below the distances along the surface, of which the exact class has a rounding error.
 void expect_not_below_exact(const Mesh& mesh, const Vertex source)

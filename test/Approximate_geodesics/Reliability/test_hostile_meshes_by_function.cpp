@@ -9,6 +9,7 @@
 
 #include <CGAL/AABB_face_graph_triangle_primitive.h>
 #include <CGAL/AABB_tree.h>
+#include <CGAL/Approximate_geodesics/Graphs/Edge_graph.h>
 #include <CGAL/Approximate_geodesics/Mesh/internal/aabb_traits.h>
 #include <CGAL/Approximate_geodesics/Queries/refined_path.h>
 #include <CGAL/Approximate_geodesics/Surface_mesh_shortest_path.h>
@@ -36,6 +37,7 @@ namespace {
 
 using namespace geodesics_test;
 namespace AG = CGAL::Approximate_geodesics;
+using Paths_along_edges = AG::Surface_mesh_shortest_path<Mesh, AG::Edge_graph>;
 
 // ----- everything that reads a mesh
 
@@ -104,9 +106,10 @@ std::vector<Entry_point> entry_points()
   using parameters::epsilon;
   using parameters::number_of_points_per_edge;
   return {{"triangulation", [](const Mesh& mesh, std::size_t&) { Triangulation{mesh}; }, false},
-          {"class",
-           [](const Mesh& mesh, std::size_t&) { AG::Surface_mesh_shortest_path<Mesh> paths(mesh); },
-           false},
+          {"class along edges",
+           [](const Mesh& mesh, std::size_t&) { Paths_along_edges paths(mesh); }, false},
+          {"class", [](const Mesh& mesh,
+                       std::size_t&) { AG::Surface_mesh_shortest_path<Mesh> paths(mesh); }},
           distances_with("distances along edges"),
           distances_with("distances", epsilon(0.1)),
           distances_with("distances with points", number_of_points_per_edge(2)),
@@ -390,14 +393,13 @@ bool has_squares(const Mesh& mesh)
 
 TEST(Hostile_meshes, know_where_their_vertices_are)
 {
-  using Paths = AG::Surface_mesh_shortest_path<Mesh>;
   using Traits = CGAL::AABB_traits_3<Kernel, CGAL::AABB_face_graph_triangle_primitive<Mesh>>;
   for(const Hostile_mesh& row : accepted_meshes())
   {
     if(row.mesh.number_of_faces() == 0 || !has_squares(row.mesh))
       continue;
     SCOPED_TRACE(row.name);
-    const Paths paths(row.mesh);
+    const Paths_along_edges paths(row.mesh);
     CGAL::AABB_tree<Traits> tree;
     paths.build_aabb_tree(tree);
     for(const Surface_point& v : some_vertices(row.mesh))

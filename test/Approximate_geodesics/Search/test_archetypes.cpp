@@ -182,7 +182,7 @@ TYPED_TEST_SUITE(Queues_of_the_class, Two_queues, );
 TYPED_TEST(Queues_of_the_class, give_the_same_distances)
 {
   Mesh mesh = to_mesh(flat_grid(20, 30));
-  AG::Surface_mesh_shortest_path<Mesh> expected(mesh);
+  AG::Surface_mesh_shortest_path<Mesh, Graph> expected(mesh);
   AG::Surface_mesh_shortest_path<Mesh, Graph, TypeParam> shortest_paths(mesh);
   const auto distance = mesh.add_property_map<Vertex, double>("distance").first;
   for(const Vertex source : {Vertex(0), Vertex(333)})

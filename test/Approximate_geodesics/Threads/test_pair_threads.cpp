@@ -65,7 +65,8 @@ TEST_F(Pair_threads, find_the_same)
       EXPECT_EQ(paths.paths(m_pairs, tag), expected_paths);
     });
   };
-  expect([](const auto& tag) { return tag; }, AG::Surface_mesh_shortest_path<Mesh>(m_mesh));
+  expect([](const auto& tag) { return tag; },
+         AG::Surface_mesh_shortest_path<Mesh, AG::Edge_graph>(m_mesh));
   expect([](const auto& tag) { return tag.epsilon(0.3); },
          AG::Surface_mesh_shortest_path<Mesh, Discrete_geodesic_graph>(m_mesh,
                                                                        parameters::epsilon(0.3)));

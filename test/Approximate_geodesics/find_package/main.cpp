@@ -31,11 +31,12 @@ int main()
     if(distances[v] != expected[v.idx()])
       return EXIT_FAILURE;
 
+  const auto np = CGAL::parameters::concurrency_tag(CGAL::Parallel_if_available_tag());
   using File = CGAL::Approximate_geodesics::Npy_file<double>;
   const char* const name = "distances.npy";
   std::filesystem::remove(name);
   const bool is_complete =
-      CGAL::approximate_geodesic_distance_matrix(mesh, File(name), mesh.vertices());
+      CGAL::approximate_geodesic_distance_matrix(mesh, File(name), mesh.vertices(), np);
   const bool is_right = is_complete && std::filesystem::file_size(name) == File::length(4, 4);
   std::filesystem::remove(name);
   return is_right ? EXIT_SUCCESS : EXIT_FAILURE;

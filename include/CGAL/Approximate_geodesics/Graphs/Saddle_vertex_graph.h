@@ -37,9 +37,9 @@ namespace CGAL::Approximate_geodesics {
  * \ref AG_saddle_vertex_graph of the user manual describes the algorithm, and the report
  * \cgalCite{ag-report} explains why it loses no vertex.
  *
- * Use it in place of \cgal's `Surface_mesh_shortest_path`, and to measure errors. The user manual
- * compares times. On smooth surfaces, the time per vertex grows with the square root of their
- * number; a bound is far cheaper there.
+ * It is the default of the class `Surface_mesh_shortest_path`, and serves to measure errors. The
+ * user manual compares times with those of \cgal's class of that name. On smooth surfaces, the time
+ * per vertex grows with the square root of their number; a bound is far cheaper there.
  *
  * Where faces are thinner than rounding errors, a search may lose all lines to a vertex. It detects
  * that at its end, when no other vertex is left: it then reaches the vertex along edges, and

@@ -129,7 +129,7 @@ void call_wrongly(const Mesh& mesh,
                                        parameters::epsilon(0.1).number_of_points_per_edge(3));
 
   // epsilon: the edge graph has no error bound
-  AG::Surface_mesh_shortest_path<Mesh>(mesh, parameters::epsilon(0.1));
+  AG::Surface_mesh_shortest_path<Mesh, AG::Edge_graph>(mesh, parameters::epsilon(0.1));
 
   // face_weight_map: this graph does not support weights
   AG::Surface_mesh_shortest_path<Mesh, AG::Discrete_geodesic_graph>(

@@ -8,6 +8,7 @@
 
 #include "oracles/test_oracles.h"
 
+#include <CGAL/Approximate_geodesics/Graphs/Edge_graph.h>
 #include <CGAL/Approximate_geodesics/Surface_mesh_shortest_path.h>
 #include <CGAL/approximate_geodesic_distances.h>
 #include <CGAL/approximate_geodesic_path.h>
@@ -21,6 +22,10 @@
 #include <vector>
 
 namespace geodesics_test {
+
+template <typename M>
+using Paths_along_edges = CGAL::Approximate_geodesics::
+    Surface_mesh_shortest_path<M, CGAL::Approximate_geodesics::Edge_graph>;
 
 // The meshes that types of meshes are compared on: coordinates that a `float` holds too, and
 // neither parallel edges nor isolated vertices, which not all of them can represent.
@@ -94,7 +99,7 @@ void expect_same_results(const Mesh& original, const OtherMesh& mesh, const Vert
   const std::vector<double> expected = search.distances({Vertex(source)});
   EXPECT_TRUE(have_same_bits(distances_on(mesh, vertices, source), expected));
 
-  CGAL::Approximate_geodesics::Surface_mesh_shortest_path<OtherMesh> paths(mesh);
+  Paths_along_edges<OtherMesh> paths(mesh);
   paths.add_source_point(vertices[source]);
   using Other_point = typename decltype(paths)::Point_3;
   for(std::size_t i = 0; i < vertices.size(); ++i)
