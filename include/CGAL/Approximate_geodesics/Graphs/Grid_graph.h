@@ -10,6 +10,7 @@
 
 #include <CGAL/Approximate_geodesics/Base/Arc_lengths.h>
 #include <CGAL/Approximate_geodesics/Base/internal/Loop.h>
+#include <CGAL/Approximate_geodesics/Base/internal/Slope_limit.h>
 #include <CGAL/Approximate_geodesics/Base/internal/arrays.h>
 #include <CGAL/Approximate_geodesics/Graphs/Grid_shape.h>
 #include <CGAL/Approximate_geodesics/Graphs/Grid_vector.h>
@@ -17,6 +18,7 @@
 #include <CGAL/Approximate_geodesics/Graphs/internal/Grid/Grid_lines.h>
 #include <CGAL/Approximate_geodesics/Graphs/internal/Grid/Grid_metric.h>
 #include <CGAL/Approximate_geodesics/Graphs/internal/Grid/Line_costs.h>
+#include <CGAL/Approximate_geodesics/Graphs/internal/Grid/Line_slopes.h>
 #include <CGAL/Approximate_geodesics/Graphs/internal/Grid/Slope_costs.h>
 #include <CGAL/Approximate_geodesics/Graphs/internal/Grid/read_cells.h>
 #include <CGAL/Approximate_geodesics/Graphs/internal/graph_parameters.h>
@@ -55,6 +57,14 @@ namespace CGAL::Approximate_geodesics {
  * direction. Costs of a function of the slope are interpolated between slopes that are 1/2000
  * apart. This makes them at most `error_of_slopes()` too large. There is no bound otherwise, as
  * cheapest paths on a surface bend between centers, too.
+ *
+ * An infinite cost of a slope forbids straight lines of this slope, and is met by zigzags. With the
+ * named parameter `max_slope`, there are no lines that are steeper anywhere, and no zigzags in
+ * their place. A line has the slopes of the triangles between centers that it crosses; where the
+ * two ways to divide four centers into triangles differ, it keeps the limit on both. So a wall that
+ * is one cell wide is a wall. Paths still bend at centers: a slope that is steeper than the limit
+ * is crossed on lines along it that are not, if it is at most 15 times as steep. Cells whose
+ * steepness itself is too much, whatever the direction, need infinite friction.
  *
  * With the named parameter `epsilon`, there are also nodes at the corners of cells, and on their
  * sides, in the geometric progressions of `Geometric_points`, and straight arcs between all nodes
@@ -116,6 +126,11 @@ public:
    *     \cgalParamType{`Directional_cost<F>`}
    *     \cgalParamDefault{lengths}
    *   \cgalParamNEnd
+   *   \cgalParamNBegin{max_slope}
+   *     \cgalParamDescription{the steepest slope, uphill and downhill, that lines may have, in
+   * units of height per horizontal unit, up to rounding; needs `heights`} \cgalParamType{a number
+   * type convertible by `CGAL::to_double()`} \cgalParamDefault{infinity: there is no limit}
+   *   \cgalParamNEnd
    *   \cgalParamNBegin{direction_to_source}
    *     \cgalParamDescription{whether costs are those of paths to the sources}
    *     \cgalParamType{`bool`}
@@ -126,9 +141,9 @@ public:
    * \throws std::invalid_argument if there are no cells, the size of a cell is not a finite number
    *         above `0`, there are not as many values as cells, a friction or a cost is negative or
    *         not a number, a finite friction or the length of a line is not below 1e150, a height is
-   *         not below 1e100, `epsilon` is not a finite number above `0`, or latitudes are not from
-   *         90 to -90 degrees. Searches throw it if a function of cell and direction returns such a
-   *         cost then.
+   *         not below 1e100, `epsilon` is not a finite number above `0`, `max_slope` is negative or
+   *         not a number, or latitudes are not from 90 to -90 degrees. Searches throw it if a
+   *         function of cell and direction returns such a cost then.
    * \throws std::length_error if there are more than \f$2^{32} - 1\f$ nodes, or more than 1000
    *         points on a side.
    *
@@ -143,9 +158,13 @@ public:
   {
     static_assert(
         !internal::ignores_any<NamedParameters, internal_np::epsilon_t, internal_np::heights_t,
-                               internal_np::face_weight_t, internal_np::direction_to_source_t>,
-        "Grid_graph reads the named parameters epsilon, heights, face_weight_map and "
+                               internal_np::face_weight_t, internal_np::max_slope_t,
+                               internal_np::direction_to_source_t>,
+        "Grid_graph reads the named parameters epsilon, heights, face_weight_map, max_slope and "
         "direction_to_source only");
+    static_assert(!internal::is_given<NamedParameters, internal_np::max_slope_t> ||
+                      internal::is_given<NamedParameters, internal_np::heights_t>,
+                  "max_slope needs the named parameter heights");
     constexpr bool has_costs =
         internal::is_any_given<NamedParameters, internal_np::heights_t, internal_np::face_weight_t>;
     m_lines = internal::Grid_lines(m_shape, m_metric, has_costs);
@@ -163,6 +182,8 @@ public:
     m_friction = internal::read_friction(m_shape, friction);
     if constexpr(has_costs)
       m_costs = internal::read_line_costs(m_shape, m_friction, np);
+    m_slopes = internal::Line_slopes(m_lines, static_cast<std::ptrdiff_t>(m_shape.columns),
+                                     internal::slope_limit(np));
     summarize();
   }
 
@@ -287,7 +308,7 @@ public:
   /// returns the number of bytes that the graph takes.
   std::size_t memory() const
   {
-    return internal::memory_of(m_friction, m_metric, m_lines, m_border, m_costs);
+    return internal::memory_of(m_friction, m_metric, m_lines, m_border, m_costs, m_slopes);
   }
 
   /// @}
@@ -494,11 +515,16 @@ private:
     return m_metric.between(cell.row, cell.row + static_cast<std::size_t>(line.rows));
   }
 
-  // Returns the cost of a line from a cell on heights, or by a function.
+  // Returns the cost of a line from a cell on heights, or by a function; infinity if it is too
+  // steep.
   double
   cost(const Grid_cell& cell, const internal::Grid_lines::Line& line, const double scale) const
   {
     const std::size_t node = m_shape.index(cell);
+    if(m_slopes.are_limited() &&
+       !m_slopes.allow(static_cast<std::size_t>(&line - m_lines.lines().data()),
+                       m_costs.heights().data() + node, scale))
+      return internal::infinity;
     if(m_costs.depend_on_cells())
       return m_costs.cost_by_cells(m_lines, line, m_shape, node, sides(cell, line),
                                    m_friction.data());
@@ -572,6 +598,7 @@ private:
   internal::Grid_lines m_lines;
   internal::Grid_border m_border;
   internal::Line_costs m_costs;
+  internal::Line_slopes m_slopes;
   std::vector<double> m_friction; // infinity for cells that cannot be entered
   Arc_lengths m_arc_lengths;
   double m_smallest_friction = 0;

@@ -103,6 +103,8 @@ public:
     static_assert(!internal::is_given<NamedParameters, internal_np::direction_to_source_t>,
                   "direction_to_source: distances there and back are the same in this graph; use "
                   "Directional_graph");
+    static_assert(!internal::is_given<NamedParameters, internal_np::max_slope_t>,
+                  "max_slope: costs depend on the direction then; use Directional_graph");
     if constexpr(internal::is_given<NamedParameters, internal_np::face_weight_t>)
       if(!this->m_triangulation.has_weights() && this->m_triangulation.number_of_halfedges() > 0)
         internal::reject("face_weight_map was given to Steiner_graph; it is for the constructor of "
