@@ -3,6 +3,7 @@
 
 #include <array>
 #include <cstddef>
+#include <limits>
 #include <optional>
 #include <string>
 #include <vector>
@@ -19,6 +20,7 @@ struct Options
   std::optional<std::array<double, 2>> cell_size;
   bool is_in_degrees = false;
   std::string cost;
+  double max_slope = std::numeric_limits<double>::infinity();
   bool goes_to_sources = false;
 
   std::optional<double> epsilon;
