@@ -235,7 +235,35 @@ public:
       else
         for_each_worthwhile_line(cell, labels, f);
       if(m_border.size_of_block() > 0)
-        for_each_arc_across(cell, m_border.number_of_slots(), f);
+        for_each_arc_across(cell, m_border.number_of_slots(), friction(cell), f);
+    }
+  }
+
+  /// returns whether there may be arcs that cost nothing.
+  bool has_free_arcs() const { return m_smallest_cost == 0; }
+
+  /// calls `f(target, length)` for the arcs from `node` that cost nothing, or `f(first, lengths,
+  /// number)` for arcs to consecutive nodes.
+  template <typename F>
+  void for_each_free_arc(const Node node, bool /* starts */, F f) const
+  {
+    if(node >= m_shape.number_of_cells())
+    {
+      if(const Place place = this->place(node); is_passable(place))
+        for_each_cell_at(place, [&](const Grid_cell& cell, const std::size_t slot) {
+          if(friction(cell) == 0)
+            for_each_arc_across(cell, slot, 1, f);
+        });
+    }
+    else if(const Grid_cell cell = m_shape.cell(node); is_open(cell))
+    {
+      for_each_line_in_grid(cell, [&](const internal::Grid_lines::Line& line, const Node target) {
+        const double scale = this->scale(cell, line);
+        if(cost(cell, line, scale) == 0)
+          f(target, m_costs.length(m_lines, line, node, scale));
+      });
+      if(m_border.size_of_block() > 0 && friction(cell) == 0)
+        for_each_arc_across(cell, m_border.number_of_slots(), 1, f);
     }
   }
 
@@ -441,7 +469,7 @@ private:
     });
     for_each_cell_at(place, [&](const Grid_cell& cell, const std::size_t slot) {
       if(friction(cell) > friction_before || !has_node(cell, predecessor))
-        for_each_arc_across(cell, slot, f);
+        for_each_arc_across(cell, slot, friction(cell), f);
     });
   }
 
@@ -515,12 +543,13 @@ private:
     return m_metric.between(cell.row, cell.row + static_cast<std::size_t>(line.rows));
   }
 
-  // Returns the cost of a line from a cell on heights, or by a function; infinity if it is too
-  // steep.
+  // Returns the cost of a line from a cell; infinity if it is too steep, or blocked.
   double
   cost(const Grid_cell& cell, const internal::Grid_lines::Line& line, const double scale) const
   {
     const std::size_t node = m_shape.index(cell);
+    if(m_costs.are_flat())
+      return scale * m_lines.cost(line, m_friction.data() + node);
     if(m_slopes.are_limited() &&
        !m_slopes.allow(static_cast<std::size_t>(&line - m_lines.lines().data()),
                        m_costs.heights().data() + node, scale))
@@ -558,11 +587,14 @@ private:
     return result < internal::infinity ? result : 0;
   }
 
-  // Calls `f` for the arcs from a slot of a cell, or its center, to all slots, and the center.
+  // Calls `f` for the arcs from a slot of a cell, or its center, to all slots, and the center, by
+  // this friction.
   template <typename F>
-  void for_each_arc_across(const Grid_cell& cell, const std::size_t slot, F& f) const
+  void for_each_arc_across(const Grid_cell& cell,
+                           const std::size_t slot,
+                           const double friction,
+                           F& f) const
   {
-    const double friction = this->friction(cell);
     const double* const distances = m_border.distances(slot);
     for(const internal::Grid_border::Run& run : m_border.runs())
     {
