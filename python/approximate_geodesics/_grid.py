@@ -31,7 +31,7 @@ class Grid:
     ----------
     friction : (rows, columns) array of float, optional
         What a unit of length costs in each cell: not negative; infinity forbids a cell. By default,
-        1 everywhere.
+        1 everywhere. Where cells cost nothing, paths are the shortest of those that cost the same.
     heights : (rows, columns) array of float, optional
         The heights of the centers, in the unit of lengths. Lines are on the surface then.
     cell_size : float, or two

@@ -38,7 +38,8 @@ class Solver:
         How many threads build the graph and compute matrices; by default, one per core.
     face_weights : (m,) array of float, optional
         Cost of a unit of length in each face: not negative; infinity forbids a face. "Distance" and
-        "length" mean costs then.
+        "length" mean costs then. Where faces cost nothing, paths are the shortest of those that
+        cost the same.
     costs : DirectionalCost or callable, optional
         Cost of a unit of length in each face and direction: a `HikingTime`, `WalkingEnergy`,
         `DriftTime`, `OneWay` or `TensorCost`, or a function of your own for `CostFunction`; not

@@ -71,7 +71,8 @@ namespace CGAL::Approximate_geodesics {
  * at the border of a cell, and its center. Then paths between centers cost at most
  * \f$1 + \varepsilon\f$ times as much as the cheapest ones in the plane, whatever the friction.
  *
- * Cells of infinite friction cannot be entered, nor those whose friction is `no_data`; paths may
+ * Of the paths that cost the same, as cells are free, searches return one whose free parts are
+ * shortest. Cells of infinite friction cannot be entered, nor those whose friction is `no_data`; paths may
  * run along their sides. No path leads between two of them that touch at a corner, so that a
  * diagonal row of cells is a barrier. Neither are there lines whose costs are infinite, or overflow
  * a `double` on heights or by a function.

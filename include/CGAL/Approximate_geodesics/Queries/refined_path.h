@@ -139,8 +139,8 @@ std::pair<double, double> refine_path(const TriangleMesh& tmesh,
                                       const NamedParameters& np)
 {
   static_assert(!has_directional_cost<NamedParameters>,
-                "directional_cost, max_slope: selective refinement does not support costs by "
-                "direction; use approximate_geodesic_path()");
+                "directional_cost: selective refinement does not support directional costs; use "
+                "approximate_geodesic_path()");
   const double tolerance = CGAL::to_double(parameters::choose_parameter(
       parameters::get_parameter(np, internal_np::relative_tolerance), 1e-5));
   if(!(tolerance >= 0))
