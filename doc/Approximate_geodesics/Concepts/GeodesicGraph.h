@@ -123,8 +123,8 @@ public:
   /// returns whether there may be arcs that cost nothing.
   bool has_free_arcs() const;
 
-  /// calls `f(target, length)` for the arcs from `node` that cost nothing, with their lengths in any
-  /// unit, or `f(first, lengths, number)` as above. `starts` tells whether paths start with the
+  /// calls `f(target, length)` for the arcs from `node` that cost nothing, with their lengths in
+  /// any unit, or `f(first, lengths, number)` as above. `starts` tells whether paths start with the
   /// node, if that makes a difference.
   template <typename F>
   void for_each_free_arc(Node node, bool starts, F f) const;

@@ -72,10 +72,10 @@ namespace CGAL::Approximate_geodesics {
  * \f$1 + \varepsilon\f$ times as much as the cheapest ones in the plane, whatever the friction.
  *
  * Of the paths that cost the same, as cells are free, searches return one whose free parts are
- * shortest. Cells of infinite friction cannot be entered, nor those whose friction is `no_data`; paths may
- * run along their sides. No path leads between two of them that touch at a corner, so that a
- * diagonal row of cells is a barrier. Neither are there lines whose costs are infinite, or overflow
- * a `double` on heights or by a function.
+ * shortest. Cells of infinite friction cannot be entered, nor those whose friction is `no_data`;
+ * paths may run along their sides. No path leads between two of them that touch at a corner, so
+ * that a diagonal row of cells is a barrier. Neither are there lines whose costs are infinite, or
+ * overflow a `double` on heights or by a function.
  *
  * The graph takes 8 bytes per cell, 8 more for a height, and a table of arcs that all cells share.
  * With \f$\varepsilon = 0.1\f$, square cells have 15 points on a side, so there are 32 nodes per

@@ -45,8 +45,8 @@ namespace CGAL::Approximate_geodesics {
  * have many points, a point is only connected to those points of the opposite edges that neither of
  * its two neighbors reaches at a lower cost.
  *
- * Faces of weight `0` are free. Of the paths that cost the same, searches return one whose free parts
- * are shortest.
+ * Faces of weight `0` are free. Of the paths that cost the same, searches return one whose free
+ * parts are shortest.
  *
  * Nodes are the vertices, the points, and one for each sector of a vertex whose incident faces are
  * divided by barriers into several sectors: no path leads through such a vertex from one sector
