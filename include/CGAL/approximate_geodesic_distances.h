@@ -122,6 +122,13 @@ void write_distances(const TriangleMesh& tmesh,
  *                     parameters of this package must start with one of these, as in
  *                     `face_weight_map(weights).number_of_points_per_edge(1)`; see \ref AG_chains.}
  *   \cgalParamNEnd
+ *   \cgalParamNBegin{max_slope}
+ *     \cgalParamDescription{the steepest slope, uphill and downhill, of straight pieces of paths,
+ * in units of z per horizontal unit. Costs depend on the direction then; see
+ *                           `Approximate_geodesics::Directional_graph`.}
+ *     \cgalParamType{a number type convertible by `CGAL::to_double()`}
+ *     \cgalParamDefault{infinity: there is no limit}
+ *   \cgalParamNEnd
  *   \cgalParamNBegin{face_weight_map}
  *     \cgalParamDescription{a property map associating weights to the faces of `tmesh`: the cost of
  *                           a path in the face per unit of length. `0` is free, and infinity is

@@ -72,7 +72,8 @@ grid_graph(const Grid_shape& shape, const FrictionRange& friction, const NamedPa
   const auto e = with_parameter(internal_np::epsilon, np, none);
   const auto h = with_parameter(internal_np::heights, np, e);
   const auto w = with_parameter(internal_np::face_weight, np, h);
-  return Grid_graph(shape, friction, with_parameter(internal_np::direction_to_source, np, w));
+  const auto s = with_parameter(internal_np::max_slope, np, w);
+  return Grid_graph(shape, friction, with_parameter(internal_np::direction_to_source, np, s));
 }
 
 } // namespace Approximate_geodesics::internal
@@ -105,9 +106,9 @@ grid_graph(const Grid_shape& shape, const FrictionRange& friction, const NamedPa
  * \param sources a cell, or a range of cells; a source that cannot be entered has the cost 0, and
  *        there is no path from it
  * \param np an optional sequence of \ref bgl_namedparameters "Named Parameters" among `epsilon`,
- *        `heights`, `face_weight_map` and `direction_to_source`, as for the constructor of
- *        `Approximate_geodesics::Grid_graph`, and `maximum_distance` and `visitor`, as for
- *        `approximate_geodesic_distances()`; the visitor is told of cells
+ *        `heights`, `face_weight_map`, `max_slope` and `direction_to_source`, as for the
+ *        constructor of `Approximate_geodesics::Grid_graph`, and `maximum_distance` and `visitor`,
+ *        as for `approximate_geodesic_distances()`; the visitor is told of cells
  *
  * \throws std::invalid_argument as the constructor of `Approximate_geodesics::Grid_graph` does, and
  *         if a source is not in the grid, or the maximum distance is negative or not a number.
@@ -132,7 +133,8 @@ void approximate_geodesic_distances_on_grid(
   namespace AG = Approximate_geodesics;
   static_assert(
       !AG::internal::ignores_any<NamedParameters, internal_np::epsilon_t, internal_np::heights_t,
-                                 internal_np::face_weight_t, internal_np::direction_to_source_t,
+                                 internal_np::face_weight_t, internal_np::max_slope_t,
+                                 internal_np::direction_to_source_t,
                                  internal_np::maximum_distance_t, internal_np::visitor_t>,
       "approximate_geodesic_distances_on_grid() reads the named parameters of Grid_graph, "
       "maximum_distance and visitor only");
@@ -173,7 +175,7 @@ void approximate_geodesic_distances_on_grid(
  * \param source a cell, or a range of cells, of which the nearest is taken
  * \param target a cell
  * \param np an optional sequence of \ref bgl_namedparameters "Named Parameters" among `epsilon`,
- *        `heights`, `face_weight_map` and `maximum_distance`
+ *        `heights`, `face_weight_map`, `max_slope` and `maximum_distance`
  *
  * \return the cost of the path, or infinity if there is none, or not within `maximum_distance`.
  *
@@ -196,9 +198,10 @@ double approximate_geodesic_path_on_grid(const Approximate_geodesics::Grid_shape
   namespace AG = Approximate_geodesics;
   static_assert(
       !AG::internal::ignores_any<NamedParameters, internal_np::epsilon_t, internal_np::heights_t,
-                                 internal_np::face_weight_t, internal_np::maximum_distance_t>,
+                                 internal_np::face_weight_t, internal_np::max_slope_t,
+                                 internal_np::maximum_distance_t>,
       "approximate_geodesic_path_on_grid() reads the named parameters epsilon, heights, "
-      "face_weight_map and maximum_distance only");
+      "face_weight_map, max_slope and maximum_distance only");
   const AG::Grid_graph graph = AG::internal::grid_graph(shape, friction, np);
   const AG::Grid_graph::Node end = graph.node(target);
   const std::vector<AG::Seed> seeds = AG::internal::seeds_of_cells(graph, source);

@@ -69,7 +69,7 @@ class WalkingEnergy(DirectionalCost):
     """Joules per kilogram of the walker and meter of the ground, as Minetti et al. measured it.
 
     The mesh is in meters, with the z axis upward. Directions steeper than 45 % are forbidden; steep
-    faces are climbed in zigzags.
+    faces are climbed in zigzags, unless the solver has a `max_slope`.
     """
 
     def __init__(self) -> None:
@@ -180,7 +180,9 @@ class CostFunction(DirectionalCost):
     ----------
     function : callable
         Takes the numbers of faces, (k,) int64, and unit vectors in their planes, (k, 3) float64, and
-        returns the costs of a unit of length, (k,): not negative; infinity forbids a direction.
+        returns the costs of a unit of length, (k,): not negative. Infinity forbids only to walk
+        straight on in a direction; zigzags may still follow it, at the cost of others. For a limit
+        of slopes, give `max_slope` to the solver.
     number_of_directions : int
         How many directions there are in each face, besides those of its sides. They take 16 bytes
         each; the error falls with their square.

@@ -9,7 +9,7 @@ import numpy.typing as npt
 
 from . import _arrays, _native
 from ._costs import DirectionalCost, HikingTime, NaismithTime, WalkingEnergy
-from ._solver import Progress, _bound, _checked, _distance, _number
+from ._solver import Progress, _bound, _checked, _distance, _max_slope, _number
 
 SlopeFunction = Callable[[_arrays.Floats], npt.ArrayLike]
 
@@ -33,7 +33,7 @@ class Grid:
     ----------
     friction : (rows, columns) array of float, optional
         What a unit of length costs in each cell: not negative; infinity forbids a cell. By default,
-        1 everywhere.
+        1 everywhere. Where cells cost nothing, paths are the shortest of those that cost the same.
     heights : (rows, columns) array of float, optional
         The heights of the centers, in the unit of lengths. Lines are on the surface then. Cells that
         the mask of a masked array hides cannot be entered, nor those of friction.
@@ -44,7 +44,14 @@ class Grid:
         `"walking_energy"`, an object of such a class, or a function of slopes, (k,) float64, that
         returns (k,) costs; these need heights. Or a `DriftTime`, `OneWay` or `TensorCost`, with one
         row of numbers for each cell, in the order of `friction.ravel()`: x is along rows, y goes
-        from row to row, and z upward.
+        from row to row, and z upward. Infinity for a slope forbids only straight lines of it:
+        zigzags climb it at the cost of other slopes. A limit is `max_slope`.
+    max_slope : float, optional
+        The steepest slope of lines, uphill and downhill: height per horizontal length. It needs
+        heights. A line keeps it in all cells that it crosses, and there are no zigzags in its
+        place, so that a wall one cell wide is a wall. Paths turn at centers; so they can still
+        cross a slope up to 15 times as steep, on lines along it. Give cells infinite friction that
+        are too steep in any direction.
     epsilon : float, optional
         Paths cost at most `1 + epsilon` times as much as the cheapest ones in the plane, for
         friction alone. Without it, there is no bound where friction changes; where it does not,
@@ -87,6 +94,7 @@ class Grid:
         heights: Optional[npt.ArrayLike] = None,
         cell_size: Union[float, tuple[float, float]] = 1.0,
         cost: Union[str, DirectionalCost, SlopeFunction, None] = None,
+        max_slope: Optional[float] = None,
         epsilon: Optional[float] = None,
         no_data: Optional[float] = float("nan"),
         first_latitude: Optional[float] = None,
@@ -125,6 +133,7 @@ class Grid:
             _bound(epsilon),
             model,
             slope_costs,
+            _max_slope(max_slope),
             _checked(progress),
         )
 

@@ -29,6 +29,7 @@ class Grid:
         epsilon: Optional[float],
         cost: Optional[Tuple[int, List[float], _Floats]],
         slope_costs: Optional[_Floats],
+        max_slope: float,
         progress: _Progress,
     ) -> None: ...
     def distances(
@@ -111,6 +112,7 @@ class Solver:
         epsilon: Optional[float],
         face_weights: Optional[_Floats],
         costs: Optional[Tuple[int, List[float], _Floats]],
+        max_slope: float,
         accept_weaker_bound: bool,
         maximum_number_of_points: int,
         barriers: Optional[_Integers],
@@ -214,6 +216,8 @@ class Solver:
     def error_bound(self) -> float: ...
     @property
     def has_face_weights(self) -> bool: ...
+    @property
+    def max_slope(self) -> float: ...
     @property
     def cost_model(self) -> Optional[int]: ...
     @property

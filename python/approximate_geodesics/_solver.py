@@ -37,11 +37,19 @@ class Solver:
         How many threads build the graph and compute matrices; by default, one per core.
     face_weights : (m,) array of float, optional
         Cost of a unit of length in each face: not negative; infinity forbids a face. "Distance" and
-        "length" mean costs then.
+        "length" mean costs then. Where faces cost nothing, paths are the shortest of those that
+        cost the same.
     costs : DirectionalCost or callable, optional
         Cost of a unit of length in each face and direction: a `HikingTime`, `WalkingEnergy`,
         `DriftTime`, `OneWay` or `TensorCost`, or a function of your own for `CostFunction`; not
-        with face weights.
+        with face weights. Infinity forbids only to walk straight on in a direction; zigzags may
+        still follow it, at the cost of others.
+    max_slope : float, optional
+        The steepest slope of straight pieces of paths, uphill and downhill: z per horizontal
+        length. Pieces cross a face, or follow its sides; there are no zigzags within faces in their
+        place. Where paths turn, at sides of faces, they can still gain height on a steeper surface,
+        as on a road. Give faces infinite weight that are too steep in any direction. There is no
+        bound `epsilon` where faces are steeper.
     accept_weaker_bound : bool
         Whether meshes are accepted that the bound cannot be kept on, because of their faces or of
         forbidden directions. `error_bound` tells what is left of it.
@@ -89,6 +97,7 @@ class Solver:
         threads: Optional[int] = None,
         face_weights: Optional[npt.ArrayLike] = None,
         costs: Union[DirectionalCost, CostFunctionLike, None] = None,
+        max_slope: Optional[float] = None,
         accept_weaker_bound: bool = False,
         maximum_number_of_points: Optional[int] = None,
         barriers: Optional[npt.ArrayLike] = None,
@@ -108,6 +117,7 @@ class Solver:
             _bound(epsilon),
             weights,
             _native_costs(costs, coordinates, corners),
+            _max_slope(max_slope),
             accept_weaker_bound,
             _limit_of_points(maximum_number_of_points),
             ends,
@@ -1203,6 +1213,8 @@ class Solver:
             parts.append("with face weights")
         if self._solver.cost_model is not None:
             parts.append(f"with {NAMES[self._solver.cost_model]}")
+        if self._solver.max_slope < np.inf:
+            parts.append(f"max_slope={self._solver.max_slope:g}")
         if self._solver.has_barriers:
             parts.append("with barriers")
         return f"<approximate_geodesics.Solver: {', '.join(parts)}>"
@@ -1291,6 +1303,15 @@ def _distance(max_distance: Optional[float]) -> float:
     result = _number(max_distance, "max_distance")
     if not result >= 0:
         raise ValueError(f"max_distance is {max_distance}; it must not be negative")
+    return result
+
+
+def _max_slope(max_slope: Optional[float]) -> float:
+    if max_slope is None:
+        return float("inf")
+    result = _number(max_slope, "max_slope")
+    if not result >= 0:
+        raise ValueError(f"max_slope is {max_slope}; it must not be negative")
     return result
 
 

@@ -63,6 +63,7 @@ std::unique_ptr<AG::Grid_solver> make_grid(const std::pair<std::size_t, std::siz
                                            const std::optional<double> epsilon,
                                            const std::optional<Cost>& cost,
                                            const Values& slope_costs,
+                                           const double max_slope,
                                            const py::object& progress)
 {
   AG::Grid_shape shape{
@@ -79,6 +80,7 @@ std::unique_ptr<AG::Grid_solver> make_grid(const std::pair<std::size_t, std::siz
                     copied(std::get<2>(*cost))};
   if(slope_costs)
     options.slope_costs = copied(*slope_costs);
+  options.max_slope = max_slope;
   return with_rows_first([&] {
     return run(progress, [&](const AG::Solver_watch& watch) {
       return std::make_unique<AG::Grid_solver>(shape, options, watch);
@@ -180,7 +182,8 @@ void add_grid(py::module_& module)
       .def(py::init(&make_grid), py::arg("rows_columns"), py::arg("cell_size"), py::arg("no_data"),
            py::arg("first_latitude"), py::arg("ellipsoid"), py::arg("is_periodic"),
            py::arg("friction").noconvert(), py::arg("heights").noconvert(), py::arg("epsilon"),
-           py::arg("cost"), py::arg("slope_costs").noconvert(), py::arg("progress"))
+           py::arg("cost"), py::arg("slope_costs").noconvert(), py::arg("max_slope"),
+           py::arg("progress"))
       .def("distances", &distances)
       .def("path", &path)
       .def("isolines", &isolines)

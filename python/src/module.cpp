@@ -53,6 +53,7 @@ std::unique_ptr<AG::Solver> make_solver(const Array<double>& vertices,
                                         const std::optional<double> epsilon,
                                         const std::optional<Array<double>>& face_weights,
                                         const std::optional<Cost>& costs,
+                                        const double max_slope,
                                         const bool accept_weaker_bound,
                                         const std::size_t maximum_number_of_points,
                                         const std::optional<Numbers>& barriers,
@@ -66,6 +67,7 @@ std::unique_ptr<AG::Solver> make_solver(const Array<double>& vertices,
     options.face_weights = face_weights->data();
   if(costs)
     options.directional_cost = solver_cost(*costs);
+  options.max_slope = max_slope;
   options.accept_weaker_bound = accept_weaker_bound;
   options.maximum_number_of_points = maximum_number_of_points;
   if(barriers)
@@ -87,9 +89,9 @@ void add_constructor(py::class_<AG::Solver>& solver)
 {
   solver.def(py::init(&make_solver<Integer>), py::arg("vertices").noconvert(),
              py::arg("faces").noconvert(), py::arg("epsilon"), py::arg("face_weights").noconvert(),
-             py::arg("costs"), py::arg("accept_weaker_bound"), py::arg("maximum_number_of_points"),
-             py::arg("barriers").noconvert(), py::arg("may_change"), py::arg("threads"),
-             py::arg("progress"));
+             py::arg("costs"), py::arg("max_slope"), py::arg("accept_weaker_bound"),
+             py::arg("maximum_number_of_points"), py::arg("barriers").noconvert(),
+             py::arg("may_change"), py::arg("threads"), py::arg("progress"));
 }
 
 void set_weights(AG::Solver& solver, const Numbers& faces, const Array<double>& weights)
@@ -400,6 +402,7 @@ PYBIND11_MODULE(_native, module)
       .def_property_readonly("error_bound", &Solver::error_bound)
       .def_property_readonly("has_face_weights", &Solver::has_face_weights)
       .def_property_readonly("cost_model", &python::cost_model)
+      .def_property_readonly("max_slope", &Solver::max_slope)
       .def_property_readonly("has_barriers", &Solver::has_barriers)
       .def_property_readonly("threads", &Solver::number_of_threads)
       .def_property_readonly("memory", &Solver::memory);

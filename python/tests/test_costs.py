@@ -172,6 +172,33 @@ def test_parameters_that_do_not_go_with_costs():
         solver.distance_matrix([0, 1], [0, 1], symmetric=True)
 
 
+def test_slopes_are_limited():
+    size, steepness, limit = 9, 0.5, 0.3
+    vertices, faces = grid(size)
+    vertices[:, 2] = steepness * vertices[:, 1]
+    height = steepness * (size - 1)
+    for options in ({}, {"face_weights": np.ones(len(faces))}, {"costs": lambda f, d: np.ones(len(d))}):
+        options = {"epsilon": 0.1, "accept_weaker_bound": True, **options}
+        free = ag.Solver(vertices, faces, **options)
+        solver = ag.Solver(vertices, faces, max_slope=limit, **options)
+        assert "max_slope=0.3" in repr(solver) and "max_slope" not in repr(free)
+        assert solver.error_bound == np.inf
+        assert free.distances(4)[-5] == pytest.approx(np.hypot(height, size - 1), rel=1e-2)
+        least = height * np.hypot(1, limit) / limit
+        assert least * (1 - 1e-9) < solver.distances(4)[-5] < 1.05 * least
+        steps = np.diff(solver.path(4, size * size - 5), axis=0)
+        run = np.hypot(steps[:, 0], steps[:, 1])
+        assert np.all(np.abs(steps[:, 2]) <= limit * run * (1 + 1e-9))
+        assert len(steps) > 3
+        copy = pickle.loads(pickle.dumps(solver))
+        np.testing.assert_array_equal(copy.distances(4), solver.distances(4))
+    with pytest.raises(ValueError, match="steeper than max_slope.*accept_weaker_bound"):
+        ag.Solver(vertices, faces, 0.1, max_slope=limit)
+    for wrong in (-1, np.nan):
+        with pytest.raises(ValueError, match="max_slope is"):
+            ag.Solver(vertices, faces, max_slope=wrong)
+
+
 def test_what_costs_look_like():
     assert repr(ag.HikingTime(0.6)) == "HikingTime(0.6)"
     assert repr(ag.OneWay(np.ones((2, 3)))) == "OneWay(<ways of 2 faces>, 1, 0)"

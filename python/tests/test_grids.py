@@ -54,6 +54,25 @@ def test_wind_takes_along():
     assert found[3, 12] == pytest.approx(8 / 2)
 
 
+def test_slopes_are_limited():
+    heights = np.zeros((40, 40))
+    heights[:, 20:] = 100  # a wall that is one cell wide
+    for cost in (None, "walking_energy", lambda s: np.where(np.abs(s) <= 0.6, 1, np.inf)):
+        free = ag.Grid(heights=heights, cell_size=10, cost=cost)
+        grid = ag.Grid(heights=heights, cell_size=10, cost=cost, max_slope=0.6)
+        assert np.isfinite(free.distances((20, 0))).all()
+        found = grid.distances((20, 0))
+        assert np.isfinite(found[:, :20]).all() and np.isinf(found[:, 20:]).all()
+        assert len(grid.path((20, 0), (20, 39))) == 0
+    ramp = ag.Grid(heights=0.5 * ROWS, max_slope=0.5)
+    assert ramp.distances((0, 5))[30, 5] == pytest.approx(30 * np.hypot(1, 0.5))
+    for wrong in (-1, np.nan):
+        with pytest.raises(ValueError, match="max_slope is"):
+            ag.Grid(heights=heights, max_slope=wrong)
+    with pytest.raises(ValueError, match="max_slope is given, and there are no heights"):
+        ag.Grid(heights, max_slope=0.3)
+
+
 def test_paths_sources_and_predecessors():
     friction = np.ones((31, 43))
     friction[:25, 20] = np.inf

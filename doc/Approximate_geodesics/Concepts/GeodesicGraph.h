@@ -115,6 +115,22 @@ public:
 
   /// @}
 
+  /// \name Optional, for Arcs That Cost Nothing
+  /// If lengths are costs, many paths can cost the same. With these members,
+  /// `Propagation::predecessor()` tells those whose free parts are shortest.
+  /// @{
+
+  /// returns whether there may be arcs that cost nothing.
+  bool has_free_arcs() const;
+
+  /// calls `f(target, length)` for the arcs from `node` that cost nothing, with their lengths in
+  /// any unit, or `f(first, lengths, number)` as above. `starts` tells whether paths start with the
+  /// node, if that makes a difference.
+  template <typename F>
+  void for_each_free_arc(Node node, bool starts, F f) const;
+
+  /// @}
+
   /// \name Optional, for Repairs
   /// `Propagation::repair()` needs groups of nodes, such that the groups of a node contain the
   /// other ends of all arcs that start from it, and of all that lead to it. A graph with a `Run` is

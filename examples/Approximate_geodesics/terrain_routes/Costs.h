@@ -147,6 +147,8 @@ public:
           << (m_shape.is_periodic ? ", periodic" : "");
     if(m_options.epsilon)
       out << ", epsilon " << *m_options.epsilon;
+    if(std::isfinite(m_options.max_slope))
+      out << ", slopes up to " << m_options.max_slope;
     return out.str();
   }
 
@@ -221,8 +223,9 @@ private:
                    const std::vector<double>& heights,
                    const bool goes_to_sources) const
   {
-    const auto np =
-        CGAL::parameters::heights(std::cref(heights)).direction_to_source(goes_to_sources);
+    const auto np = CGAL::parameters::heights(std::cref(heights))
+                        .max_slope(m_options.max_slope)
+                        .direction_to_source(goes_to_sources);
     if(!m_slope_function)
       return Grid_graph(shape, friction, np);
     return Grid_graph(

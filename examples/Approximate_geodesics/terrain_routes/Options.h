@@ -5,6 +5,7 @@
 
 #include <array>
 #include <cstddef>
+#include <limits>
 #include <optional>
 #include <string>
 #include <vector>
@@ -24,6 +25,7 @@ struct Options
   std::optional<Length_unit> unit_of_heights;
   bool snaps = false; // to cells that can be entered
   std::string cost;
+  double max_slope = std::numeric_limits<double>::infinity();
   bool goes_to_sources = false;
 
   std::optional<double> epsilon;

@@ -51,7 +51,11 @@ inline po::options_description describe_costs(Options& options)
       "what a unit of length costs, which friction multiplies: length; or, by the slope of "
       "HEIGHTS, hiking_time (Tobler) or naismith_time (Naismith, Langmuir), in seconds, or "
       "walking_energy (Minetti), in joules per kilogram. Without a known unit, coordinates are "
-      "taken for meters then");
+      "taken for meters then. Slopes that take less in zigzags are climbed in zigzags");
+  add("max-slope", text_option("S"),
+      "do not walk straight up or down more than S units of height per horizontal unit, nor in "
+      "zigzags within a cell; 0.3 is 30 %. Paths can turn at centers of cells, and so cross "
+      "steeper slopes at an angle. Needs --heights");
   add("to-sources", po::bool_switch(&options.goes_to_sources),
       "let costs and paths be those of the ways to the sources");
   return result;

@@ -79,6 +79,8 @@ inline void read_values(const po::variables_map& values, Options& options)
     if(*options.epsilon == 0)
       reject_option("epsilon", "it must be above 0: exact paths on rasters are not computed");
   }
+  if(has("max-slope"))
+    options.max_slope = number_from_0("max-slope", text("max-slope"), false);
   if(has("band"))
     options.band = static_cast<int>(whole_number("band", text("band"), 1));
   if(has("no-data"))
@@ -111,6 +113,8 @@ inline void check_combinations(const Options& options)
     reject_option("colors", options.colors + " is not uniform or rainbow");
   if(options.heights.empty() && slope_function(options.cost))
     reject_option("cost", options.cost + " depends on the slope; it needs --heights");
+  if(options.heights.empty() && std::isfinite(options.max_slope))
+    reject_option("max-slope", "it needs --heights");
   if(options.epsilon && !options.heights.empty())
     reject_option("epsilon", "there is no bound with --heights");
   if(options.memory > 0 && options.work_folder.empty())

@@ -46,6 +46,16 @@ expect(0 "cost 396 s," ${PROGRAM} --heights ramp.asc --cost naismith_time -s cel
 expect(0 "cost 1477.07 J/kg," ${PROGRAM} --heights ramp.asc --cost walking_energy -s cell:0,0 -t
        cell:3,0 -o g)
 
+# no slope is steeper than the limit: round a wall that is one cell wide, or not at all
+file(WRITE ${folder}/wall.asc "ncols 5\nnrows 4\ncellsize 10\n0 0 50 0 0\n0 0 50 0 0\n0 0 50 0 0\n0 0 0 0 0\n")
+set(walk --heights wall.asc -s cell:0,0 -t cell:4,0)
+expect(0 "To cell 4,0: cost 73.0056, " ${PROGRAM} ${walk} -o l)
+expect(0 "To cell 4,0: cost 83.2456, " ${PROGRAM} ${walk} --max-slope 0.6 -o l -f)
+expect(0 "To cell 3,0: there is no path" ${PROGRAM} --heights ramp.asc --cost walking_energy
+       --max-slope 0.09 -s cell:0,0 -t cell:3,0 -o l -f)
+expect(0 "To cell 3,0: cost 301.496, length 301.496\n" ${PROGRAM} --heights ramp.asc --max-slope 0.1
+       -s cell:0,0 -t cell:3,0 -o l -f)
+
 # degrees: the same place to the west, and to the north
 file(WRITE ${folder}/degrees.asc "ncols 2\nnrows 2\nxllcorner 7\nyllcorner 59\ncellsize 1\n1 1\n1 1\n")
 expect(0 "To cell 1,0: cost 54955.9, length 54955.9 m\nTo cell 0,1: cost 111412, length 111412 m\n"
@@ -105,6 +115,9 @@ function(refuse text)
 endfunction()
 refuse("--cost: flying is not length, hiking_time" --heights ramp.asc --cost flying)
 refuse("--cost: hiking_time depends on the slope; it needs --heights" friction.asc --cost hiking_time)
+refuse("--max-slope: it needs --heights" friction.asc --max-slope 0.3)
+refuse("--max-slope: it is -1" --heights ramp.asc --max-slope -1)
+refuse("--max-slope: .nan. is not a number" --heights ramp.asc --max-slope nan)
 refuse("--epsilon: there is no bound with --heights" --heights ramp.asc -e 0.1)
 refuse("--epsilon: there is no bound where coordinates are in degrees" degrees.asc --degrees -e 0.1)
 refuse("--degrees: ring.npy does not tell where its cells are" ring.npy --degrees)

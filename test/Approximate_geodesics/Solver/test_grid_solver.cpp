@@ -241,6 +241,19 @@ TEST(Grid_solver, rejects_bad_cells)
     rejects({3, 3, size, 1, {}}, {}, "width of a cell");
 }
 
+TEST(Grid_solver, limits_slopes)
+{
+  const std::vector<double> h = heights_of_solver();
+  Grid_solver_options options;
+  options.heights = h.data();
+  options.max_slope = 0.1;
+  const auto np = CGAL::parameters::heights(h).max_slope(0.1);
+  EXPECT_EQ(costs_of_function(np), costs_of_solver(Grid_solver(shape_of_solver, options)));
+  options.cost = Solver_cost::hiking_time();
+  EXPECT_EQ(costs_of_function(np.face_weight_map(AG::directional_cost(AG::Hiking_time()))),
+            costs_of_solver(Grid_solver(shape_of_solver, options)));
+}
+
 TEST(Grid_solver, rejects_bad_input)
 {
   const std::vector<double> h = heights_of_solver();
@@ -248,6 +261,9 @@ TEST(Grid_solver, rejects_bad_input)
     expect_message<std::invalid_argument>([&] { Grid_solver(shape_of_solver, options); }, text);
   };
   Grid_solver_options options;
+  options.max_slope = 0.3;
+  rejects(options, "max_slope is given, and there are no heights");
+  options.max_slope = std::numeric_limits<double>::infinity();
   options.cost = Solver_cost::hiking_time();
   rejects(options, "no heights");
   options.epsilon = 0.1;

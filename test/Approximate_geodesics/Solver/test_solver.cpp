@@ -277,6 +277,31 @@ TEST(Solver, saves_directional_costs)
     }
 }
 
+TEST(Solver, keeps_a_limit_of_slopes_in_files)
+{
+  const Soup_arrays arrays = slope();
+  std::vector<double> weights(arrays.number_of_faces(), 2);
+  Solver_options options = bound(0.5);
+  options.accept_weaker_bound = true;
+  const Values free = solver_distances(Solver_of(arrays, options));
+  options.max_slope = 0.05;
+  for(const double* const w : {static_cast<const double*>(nullptr), weights.data()})
+  {
+    options.face_weights = w;
+    const Solver_of solver(arrays, options);
+    std::stringstream file;
+    solver.save(file);
+    const Solver copy(file);
+    EXPECT_EQ(0.05, copy.max_slope());
+    const Values found = solver_distances(solver);
+    EXPECT_EQ(found, solver_distances(copy));
+    EXPECT_GT(*std::max_element(found.begin(), found.end()),
+              1.1 * *std::max_element(free.begin(), free.end()));
+  }
+  options.max_slope = -1;
+  expect_message<std::invalid_argument>([&] { Solver_of(arrays, options); }, "max_slope is -1");
+}
+
 TEST(Solver, names_what_is_wrong_with_costs)
 {
   const Soup_arrays arrays = slope();

@@ -32,7 +32,18 @@ namespace CGAL::Approximate_geodesics {
  * the other direction, so that the mesh is read only once.
  *
  * Where zigzags are cheaper than a straight line across a face, the line has their cost. Zigzags
- * within the face come arbitrarily close to the line.
+ * within the face come arbitrarily close to the line. So an infinite cost of a direction forbids
+ * straight lines only, as long as there are others to zigzag in.
+ *
+ * With the named parameter `max_slope` of the triangulation, there are no arcs in faces, nor along
+ * their sides, whose slope is larger, uphill or downhill. No zigzags within a face take their
+ * place: those that others have the costs of keep the limit, too. A path is made of straight pieces
+ * from side to side of faces, or along sides, each of which is within the limit; it bends at nodes.
+ * Between two slanted sides, it can gain height by turning at them, as on a road. More points on
+ * sides, or smaller faces, allow more such turns. Where the steepness of the face itself is too
+ * much, whatever the direction, let it cost infinity in all: that does not depend on the mesh.
+ * Faces that are not steeper than the limit in any direction keep their bound; if there are others,
+ * there is none, as paths with turns elsewhere than at nodes are not approximated.
  *
  * Arcs are not stored: the graph takes 60 bytes per vertex in addition to the triangulation, which
  * has the gauges, and 8 per point, or 4 if points divide edges into equal parts. As in a

@@ -41,10 +41,11 @@ namespace CGAL::Approximate_geodesics {
  * \ref AG_directional_bound of the manual states the theorem, and the report \cgalCite{ag-report}
  * proves it.
  *
- * There is no bound where some directions in a face are free or forbidden, and others are not. Such
- * faces are rejected, and so are faces with an edge that needs more than
- * `maximum_number_of_points_per_edge` points, since their area is almost zero, for example. With
- * `accept_weaker_bound`, such edges get 20 / \f$\sqrt\varepsilon\f$ points, and there is no bound.
+ * There is no bound where some directions in a face are free or forbidden, and others are not, or
+ * steeper than `max_slope`. Such faces are rejected, and so are faces with an edge that needs more
+ * than `maximum_number_of_points_per_edge` points, since their area is almost zero, for example.
+ * With `accept_weaker_bound`, such edges get 20 / \f$\sqrt\varepsilon\f$ points, and there is no
+ * bound.
  *
  * \cgalModels{SteinerPointPlacement}
  */
@@ -223,6 +224,9 @@ private:
         else
           give_up(triangulation.name_of_face(h) +
                   " has directions that are free or forbidden, and others that are not");
+        if(gauges.is_limited(gauges.face(h)))
+          give_up(triangulation.name_of_face(h) +
+                  " is steeper than max_slope, and paths may follow some of its directions only");
         for(const Index g : triangulation.halfedges_of_face(h))
           m_step[g] = polygon.is_bounded()
                           ? polygon.step(gauges.side(g),

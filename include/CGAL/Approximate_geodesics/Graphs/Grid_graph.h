@@ -10,6 +10,7 @@
 
 #include <CGAL/Approximate_geodesics/Base/Arc_lengths.h>
 #include <CGAL/Approximate_geodesics/Base/internal/Loop.h>
+#include <CGAL/Approximate_geodesics/Base/internal/Slope_limit.h>
 #include <CGAL/Approximate_geodesics/Base/internal/arrays.h>
 #include <CGAL/Approximate_geodesics/Graphs/Grid_shape.h>
 #include <CGAL/Approximate_geodesics/Graphs/Grid_vector.h>
@@ -18,6 +19,7 @@
 #include <CGAL/Approximate_geodesics/Graphs/internal/Grid/Grid_lines.h>
 #include <CGAL/Approximate_geodesics/Graphs/internal/Grid/Grid_metric.h>
 #include <CGAL/Approximate_geodesics/Graphs/internal/Grid/Line_costs.h>
+#include <CGAL/Approximate_geodesics/Graphs/internal/Grid/Line_slopes.h>
 #include <CGAL/Approximate_geodesics/Graphs/internal/Grid/Slope_costs.h>
 #include <CGAL/Approximate_geodesics/Graphs/internal/Grid/read_cells.h>
 #include <CGAL/Approximate_geodesics/Graphs/internal/graph_parameters.h>
@@ -59,15 +61,24 @@ namespace CGAL::Approximate_geodesics {
  * apart. This makes them at most `error_of_slopes()` too large. There is no bound otherwise, as
  * cheapest paths on a surface bend between centers, too.
  *
+ * An infinite cost of a slope forbids straight lines of this slope, and is met by zigzags. With the
+ * named parameter `max_slope`, there are no lines that are steeper anywhere, and no zigzags in
+ * their place. A line has the slopes of the triangles between centers that it crosses; where the
+ * two ways to divide four centers into triangles differ, it keeps the limit on both. So a wall that
+ * is one cell wide is a wall. Paths still bend at centers: a slope that is steeper than the limit
+ * is crossed on lines along it that are not, if it is at most 15 times as steep. Cells whose
+ * steepness itself is too much, whatever the direction, need infinite friction.
+ *
  * With the named parameter `epsilon`, there are also nodes at the corners of cells, and on their
  * sides, in the geometric progressions of `Geometric_points`, and straight arcs between all nodes
  * at the border of a cell, and its center. Then paths between centers cost at most
  * \f$1 + \varepsilon\f$ times as much as the cheapest ones in the plane, whatever the friction.
  *
- * Cells of infinite friction cannot be entered, nor those whose friction is `no_data`; paths may
- * run along their sides. No path leads between two of them that touch at a corner, so that a
- * diagonal row of cells is a barrier. Neither are there lines whose costs are infinite, or overflow
- * a `double` on heights or by a function.
+ * Of the paths that cost the same, as cells are free, searches return one whose free parts are
+ * shortest. Cells of infinite friction cannot be entered, nor those whose friction is `no_data`;
+ * paths may run along their sides. No path leads between two of them that touch at a corner, so
+ * that a diagonal row of cells is a barrier. Neither are there lines whose costs are infinite, or
+ * overflow a `double` on heights or by a function.
  *
  * On a periodic grid, lines go on from the last column to the first one. Heights, friction and
  * costs are those of the cells there.
@@ -123,6 +134,13 @@ public:
    *     \cgalParamType{`Directional_cost<F>`}
    *     \cgalParamDefault{lengths}
    *   \cgalParamNEnd
+   *   \cgalParamNBegin{max_slope}
+   *     \cgalParamDescription{the steepest slope, uphill and downhill, that lines may have, in
+   *                           units of height per horizontal unit, up to rounding; needs
+   *                           `heights`}
+   *     \cgalParamType{a number type convertible by `CGAL::to_double()`}
+   *     \cgalParamDefault{infinity: there is no limit}
+   *   \cgalParamNEnd
    *   \cgalParamNBegin{direction_to_source}
    *     \cgalParamDescription{whether costs are those of paths to the sources}
    *     \cgalParamType{`bool`}
@@ -133,11 +151,12 @@ public:
    * \throws std::invalid_argument if there are no cells, the size of a cell is not a finite number
    *         above `0`, there are not as many values as cells, a friction or a cost is negative or
    *         not a number, a finite friction or the length of a line is not below 1e150, a height is
-   *         not below 1e100, `epsilon` is not a finite number above `0`, latitudes are not from 90
-   *         to -90 degrees, the ellipsoid has no size above `0`, or a periodic grid has fewer than
-   * 31 columns or, in degrees, does not span 360 of them. Searches throw it if a function of cell
-   * and direction returns such a cost then. \throws std::length_error if there are more than
-   * \f$2^{32} - 1\f$ nodes, or more than 1000 points on a side.
+   *         not below 1e100, `epsilon` is not a finite number above `0`, `max_slope` is negative or
+   *         not a number, latitudes are not from 90 to -90 degrees, the ellipsoid has no size above
+   *         `0`, or a periodic grid has fewer than 31 columns or, in degrees, does not span 360 of
+   *         them. Searches throw it if a function of cell and direction returns such a cost then.
+   * \throws std::length_error if there are more than \f$2^{32} - 1\f$ nodes, or more than 1000
+   *         points on a side.
    *
    * Run time and memory are \cgalBigO{n} for `n` cells, plus the square of the number of points on
    * the border of a cell.
@@ -150,9 +169,13 @@ public:
   {
     static_assert(
         !internal::ignores_any<NamedParameters, internal_np::epsilon_t, internal_np::heights_t,
-                               internal_np::face_weight_t, internal_np::direction_to_source_t>,
-        "Grid_graph reads the named parameters epsilon, heights, face_weight_map and "
+                               internal_np::face_weight_t, internal_np::max_slope_t,
+                               internal_np::direction_to_source_t>,
+        "Grid_graph reads the named parameters epsilon, heights, face_weight_map, max_slope and "
         "direction_to_source only");
+    static_assert(!internal::is_given<NamedParameters, internal_np::max_slope_t> ||
+                      internal::is_given<NamedParameters, internal_np::heights_t>,
+                  "max_slope needs the named parameter heights");
     constexpr bool has_costs =
         internal::is_any_given<NamedParameters, internal_np::heights_t, internal_np::face_weight_t>;
     m_lines = internal::Grid_lines(m_storage.stride(), m_metric, has_costs);
@@ -172,6 +195,8 @@ public:
     m_friction = internal::read_friction(m_shape, friction);
     if constexpr(has_costs)
       m_costs = internal::read_line_costs(m_shape, m_storage, m_friction, np);
+    m_slopes = internal::Line_slopes(m_lines, static_cast<std::ptrdiff_t>(m_storage.stride()),
+                                     internal::slope_limit(np));
     m_friction = m_storage.kept(std::move(m_friction));
     summarize();
   }
@@ -224,7 +249,35 @@ public:
       else
         for_each_worthwhile_line(cell, labels, f);
       if(m_border.size_of_block() > 0)
-        for_each_arc_across(cell, m_border.number_of_slots(), f);
+        for_each_arc_across(cell, m_border.number_of_slots(), friction(cell), f);
+    }
+  }
+
+  /// returns whether there may be arcs that cost nothing.
+  bool has_free_arcs() const { return m_smallest_cost == 0; }
+
+  /// calls `f(target, length)` for the arcs from `node` that cost nothing, or `f(first, lengths,
+  /// number)` for arcs to consecutive nodes.
+  template <typename F>
+  void for_each_free_arc(const Node node, bool /* starts */, F f) const
+  {
+    if(node >= m_shape.number_of_cells())
+    {
+      if(const Place place = this->place(node); is_passable(place))
+        for_each_cell_at(place, [&](const Grid_cell& cell, const std::size_t slot) {
+          if(friction(cell) == 0)
+            for_each_arc_across(cell, slot, 1, f);
+        });
+    }
+    else if(const Grid_cell cell = m_shape.cell(node); is_open(cell))
+    {
+      for_each_line_in_grid(cell, [&](const internal::Grid_lines::Line& line, const Node target) {
+        const double scale = this->scale(cell, line);
+        if(cost(cell, line, scale) == 0)
+          f(target, m_costs.length(m_lines, line, m_storage.place(cell), scale));
+      });
+      if(m_border.size_of_block() > 0 && friction(cell) == 0)
+        for_each_arc_across(cell, m_border.number_of_slots(), 1, f);
     }
   }
 
@@ -300,7 +353,7 @@ public:
   /// returns the number of bytes that the graph takes.
   std::size_t memory() const
   {
-    return internal::memory_of(m_friction, m_metric, m_lines, m_border, m_costs);
+    return internal::memory_of(m_friction, m_metric, m_lines, m_border, m_costs, m_slopes);
   }
 
   /// @}
@@ -438,7 +491,7 @@ private:
     });
     for_each_cell_at(place, [&](const Grid_cell& cell, const std::size_t slot) {
       if(friction(cell) > friction_before || !has_node(cell, predecessor))
-        for_each_arc_across(cell, slot, f);
+        for_each_arc_across(cell, slot, friction(cell), f);
     });
   }
 
@@ -524,11 +577,17 @@ private:
     return m_metric.between(cell.row, cell.row + static_cast<std::size_t>(line.rows));
   }
 
-  // Returns the cost of a line from a cell on heights, or by a function.
+  // Returns the cost of a line from a cell; infinity if it is too steep, or blocked.
   double
   cost(const Grid_cell& cell, const internal::Grid_lines::Line& line, const double scale) const
   {
     const std::size_t from = m_storage.place(cell);
+    if(m_costs.are_flat())
+      return scale * m_lines.cost(line, m_friction.data() + from);
+    if(m_slopes.are_limited() &&
+       !m_slopes.allow(static_cast<std::size_t>(&line - m_lines.lines().data()),
+                       m_costs.heights().data() + from, scale))
+      return internal::infinity;
     if(m_costs.depend_on_cells())
       return m_costs.cost_by_cells(m_lines, line, m_storage, from, sides(cell, line),
                                    m_friction.data());
@@ -562,11 +621,14 @@ private:
     return result < internal::infinity ? result : 0;
   }
 
-  // Calls `f` for the arcs from a slot of a cell, or its center, to all slots, and the center.
+  // Calls `f` for the arcs from a slot of a cell, or its center, to all slots, and the center, by
+  // this friction.
   template <typename F>
-  void for_each_arc_across(const Grid_cell& cell, const std::size_t slot, F& f) const
+  void for_each_arc_across(const Grid_cell& cell,
+                           const std::size_t slot,
+                           const double friction,
+                           F& f) const
   {
-    const double friction = this->friction(cell);
     const double* const distances = m_border.distances(slot);
     for(const internal::Grid_border::Run& run : m_border.runs())
     {
@@ -603,6 +665,7 @@ private:
   internal::Grid_lines m_lines;
   internal::Grid_border m_border;
   internal::Line_costs m_costs;
+  internal::Line_slopes m_slopes;
   std::vector<double> m_friction; // as kept; infinity for cells that cannot be entered
   Arc_lengths m_arc_lengths;
   double m_smallest_friction = 0;

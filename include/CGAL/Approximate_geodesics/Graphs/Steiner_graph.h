@@ -45,6 +45,9 @@ namespace CGAL::Approximate_geodesics {
  * have many points, a point is only connected to those points of the opposite edges that neither of
  * its two neighbors reaches at a lower cost.
  *
+ * Faces of weight `0` are free. Of the paths that cost the same, searches return one whose free
+ * parts are shortest.
+ *
  * Nodes are the vertices, the points, and one for each sector of a vertex whose incident faces are
  * divided by barriers into several sectors: no path leads through such a vertex from one sector
  * into another. `attach()` lists all nodes of a vertex; a run of `Propagation` from several places
@@ -104,6 +107,8 @@ public:
     static_assert(!internal::is_given<NamedParameters, internal_np::direction_to_source_t>,
                   "direction_to_source: distances there and back are the same in this graph; use "
                   "Directional_graph");
+    static_assert(!internal::is_given<NamedParameters, internal_np::max_slope_t>,
+                  "max_slope: costs depend on the direction then; use Directional_graph");
     if constexpr(internal::is_given<NamedParameters, internal_np::face_weight_t>)
       if(!this->m_triangulation.has_weights() && this->m_triangulation.number_of_halfedges() > 0)
         internal::reject("face_weight_map was given to Steiner_graph; it is for the constructor of "

@@ -9,6 +9,7 @@
 #include <CGAL/license/Approximate_geodesics.h>
 
 #include <CGAL/Approximate_geodesics/Base/Arc_lengths.h>
+#include <CGAL/Approximate_geodesics/Graphs/internal/Steiner/Free_lengths.h>
 #include <CGAL/Approximate_geodesics/Graphs/internal/Steiner/Nodes_beside.h>
 #include <CGAL/Approximate_geodesics/Graphs/internal/Steiner/Steiner_groups.h>
 #include <CGAL/Approximate_geodesics/Graphs/internal/Steiner/Steiner_nodes.h>
@@ -411,6 +412,21 @@ public:
     arcs().for_each(node, labels, f);
   }
 
+  /// returns whether there may be arcs that cost nothing though they have a length.
+  bool has_free_arcs() const { return m_may_have_free_arcs; }
+
+  /// calls `f(target, length)` for the arcs from `node` that cost nothing. `starts` tells whether
+  /// paths start with the node.
+  template <typename F>
+  void for_each_free_arc(const Node node, const bool starts, F f) const
+  {
+    using Lengths = internal::Free_lengths<Costs>;
+    const bool is_vertex = !m_nodes.is_point(node) && !m_nodes.is_sector(node);
+    if(starts || !is_vertex || !m_nodes.is_divided(node)) // no path leads through such a vertex
+      internal::Steiner_arcs<Lengths>(Lengths(costs(m_is_backward)))
+          .for_each(node, typename Lengths::No_labels(), f);
+  }
+
   /// returns `cost`, as no arc crosses an edge between its ends.
   template <typename F>
   double for_each_crossing(Node /* source */, Node /* target */, const double cost, F) const
@@ -431,6 +447,15 @@ public:
   {
     return {costs(!m_is_backward), point};
   }
+
+  /// \cond SKIP_IN_MANUAL
+  // Attaches a point by those of these lines that cost nothing, with their lengths as costs.
+  internal::Steiner_attachment<internal::Free_lengths<Costs>>
+  attach_free(const Intrinsic_point& point, const bool is_target) const
+  {
+    return {internal::Free_lengths<Costs>(costs(is_target != m_is_backward)), point};
+  }
+  /// \endcond
 
   /// prefetches the data from which the arcs of `node` are computed.
   void prefetch(const Node node) const { m_nodes.prefetch(m_triangulation, node); }
@@ -464,6 +489,7 @@ protected:
   void summarize_arcs()
   {
     m_arc_lengths = arcs().along_edges();
+    m_may_have_free_arcs = !Costs::are_symmetric || m_arc_lengths.shortest == 0;
     m_number_of_changes = m_changes.number();
   }
 

@@ -8,10 +8,13 @@
 
 #include <CGAL/license/Approximate_geodesics.h>
 
+#include <CGAL/Approximate_geodesics/Base/internal/Slope_limit.h>
 #include <CGAL/Approximate_geodesics/Mesh/cost_functions.h>
+#include <CGAL/Approximate_geodesics/Mesh/internal/cost_formulas.h>
 #include <CGAL/Approximate_geodesics/Mesh/internal/edge_lengths.h>
 #include <CGAL/Approximate_geodesics/Mesh/read_face_weights.h>
 #include <CGAL/Approximate_geodesics/Surface/Intrinsic_triangulation.h>
+#include <CGAL/property_map.h>
 
 #include <cstddef>
 #include <utility>
@@ -175,6 +178,7 @@ class Triangulation_builder
   static constexpr bool needs_halfedges = is_any_given<NamedParameters,
                                                        internal_np::edge_length_t,
                                                        internal_np::face_weight_t,
+                                                       internal_np::max_slope_t,
                                                        internal_np::edge_is_constrained_t>;
 
 public:
@@ -214,7 +218,7 @@ public:
   bool try_to_build_edges()
   {
     static_assert(!is_any_given<NamedParameters, internal_np::face_weight_t,
-                                internal_np::edge_is_constrained_t>);
+                                internal_np::max_slope_t, internal_np::edge_is_constrained_t>);
     Vertex_adjacency adjacency;
     if(!read(adjacency))
       return false;
@@ -317,16 +321,28 @@ private:
     if constexpr(has_directional_cost<NamedParameters>)
     {
       static_assert(!is_given<NamedParameters, internal_np::edge_length_t>,
-                    "directional_cost, edge_length_map: directional costs require the lengths of "
-                    "the embedding, which is given by the vertex point map");
-      const auto& cost = parameters::get_parameter_reference(m_np, internal_np::face_weight);
-      m_result.m_gauges = gauges_of_faces(m_mesh, m_halfedges, vertex_point_map(m_mesh, m_np), cost,
-                                          m_result, sampling_tolerance(m_np));
+                    "directional_cost, max_slope, edge_length_map: costs by direction require the "
+                    "lengths of the embedding, which is given by the vertex point map");
+      const auto& cost = cost_function();
+      const auto point_map = vertex_point_map(m_mesh, m_np);
+      m_result.m_gauges = Gauge_reader(m_mesh, m_halfedges, point_map, cost, m_result)
+                              .read(slope_limit(m_np), sampling_tolerance(m_np));
     }
     else if constexpr(is_given<NamedParameters, internal_np::face_weight_t>)
       m_result.set_weights(
           weights_of_faces(m_mesh, m_halfedges,
                            parameters::get_parameter(m_np, internal_np::face_weight), m_result));
+  }
+
+  // Returns a function of faces and directions; without one, that of weights, or of lengths.
+  decltype(auto) cost_function() const
+  {
+    if constexpr(has_cost_function<NamedParameters>)
+      return parameters::get_parameter_reference(m_np, internal_np::face_weight);
+    else if constexpr(is_given<NamedParameters, internal_np::face_weight_t>)
+      return Weight_cost(parameters::get_parameter(m_np, internal_np::face_weight));
+    else
+      return Weight_cost(Constant_property_map<typename Graph_traits::face_descriptor, double>(1));
   }
 
   void copy_barriers()

@@ -119,7 +119,9 @@ private:
  * `face_weight_map(directional_cost(f))`.
  *
  * Paths have the costs of the largest convex gauge below the function: where a function is not
- * convex, zigzags are cheaper than straight lines, and their cost counts. This gauge is known in
+ * convex, zigzags are cheaper than straight lines, and their cost counts. In particular, infinity
+ * for a direction forbids only to walk straight on in it; zigzags may follow it at a finite cost.
+ * The named parameter `max_slope` limits slopes without such a way around. This gauge is known in
  * closed form for `Hiking_time`, `Walking_energy`, `Drift_time` where the drift is slower than the
  * boat, `Tensor_cost` with matrices that are positive definite, and for each of them in a
  * `Reversed_cost`. It takes 48 bytes a face, and is exact.
@@ -163,11 +165,16 @@ constexpr bool is_directional_cost = false;
 template <typename F>
 constexpr bool is_directional_cost<Directional_cost<F>> = true;
 
-// Whether named parameters contain costs that depend on the direction.
+// Whether named parameters contain a cost function of the direction.
 template <typename NamedParameters>
-constexpr bool has_directional_cost =
+constexpr bool has_cost_function =
     is_directional_cost<std::decay_t<decltype(parameters::get_parameter(
         std::declval<const NamedParameters&>(), internal_np::face_weight))>>;
+
+// Whether costs depend on the direction, as they also do if the slope is limited.
+template <typename NamedParameters>
+constexpr bool has_directional_cost =
+    has_cost_function<NamedParameters> || is_given<NamedParameters, internal_np::max_slope_t>;
 
 } // namespace internal
 
@@ -222,7 +229,8 @@ private:
  * meters of height per horizontal meter. The minimum is at about -15 %.
  *
  * The mesh is in meters, with the z axis upward. The measurements cover slopes of up to 45 %;
- * steeper directions have infinite cost, and steep faces are climbed in zigzags.
+ * steeper directions have infinite cost, and steep faces are climbed in zigzags, unless `max_slope`
+ * forbids it.
  *
  * \cgalModels{DirectionalCostFunction}
  */

@@ -8,6 +8,7 @@
 
 #include <CGAL/license/Approximate_geodesics.h>
 
+#include <CGAL/Approximate_geodesics/Base/internal/Slope_limit.h>
 #include <CGAL/Approximate_geodesics/Mesh/Mesh_translation.h>
 #include <CGAL/Approximate_geodesics/Mesh/cost_functions.h>
 #include <CGAL/Approximate_geodesics/Mesh/internal/cost_formulas.h>
@@ -19,6 +20,8 @@
 #include <cmath>
 #include <cstddef>
 #include <string>
+#include <utility>
+#include <vector>
 
 namespace CGAL::Approximate_geodesics {
 
@@ -149,50 +152,121 @@ inline Index longest_side(Index h, const Intrinsic_triangulation& triangulation)
   return h;
 }
 
+// Returns a cost. Throws an error if it is negative or not a number.
+inline double checked_cost(const double cost,
+                           const Intrinsic_triangulation& triangulation,
+                           const Index h,
+                           const Space_vector& direction)
+{
+  if(!(cost >= 0))
+    reject(triangulation.name_of_face(h) + " has cost " + text_of(cost) + " in the direction " +
+           text_of(direction) + "; it must be a number that is not negative, or infinity");
+  return cost + 0.0; // normalizes negative zero
+}
+
+// Appends the directions of a plane that are as steep as the limit, up to sign; `rises` are those
+// of its axes. Returns false if there are none, or all that the limit allows are too close together
+// for a gauge.
+inline bool
+add_steepest(const Slope_limit limit, const Plane_vector rises, std::vector<Plane_vector>& result)
+{
+  constexpr double smallest_sine = 1e-6;
+  if(!Face_gauges::has_steep_directions(limit, rises))
+    return false;
+  const double cosine = limit.largest_sine() / length(rises); // of the angle with the steepest one
+  if(!(cosine > smallest_sine))
+    return false;
+  const double sine = std::sqrt((std::max)(1 - cosine * cosine, 0.));
+  for(const double s : {sine, -sine})
+    result.push_back(turned_left(direction_of(rises), {cosine, s}));
+  return true;
+}
+
 // Reads the gauges of the faces of a mesh from a function of faces and directions. `halfedges` has
 // the order of the triangulation. The x axis of the plane of a face is along its longest side.
-// Where the function has no formula, it is sampled.
+// Where the function has no formula, it is sampled; zigzags keep the limit of the slope, too.
 template <typename TriangleMesh, typename Halfedges, typename VertexPointMap, typename Cost>
-Face_gauges gauges_of_faces(const TriangleMesh& tmesh,
-                            const Halfedges& halfedges,
-                            const VertexPointMap& point_map,
-                            const Cost& cost,
-                            const Intrinsic_triangulation& triangulation,
-                            const double tolerance)
+class Gauge_reader
 {
   using Kernel =
       typename Kernel_traits<typename boost::property_traits<VertexPointMap>::value_type>::Kernel;
+  using Halfedge = typename boost::graph_traits<TriangleMesh>::halfedge_descriptor;
 
-  const auto vector_along = [&](const auto h) {
-    return space_vector(get(point_map, target(h, tmesh)) - get(point_map, source(h, tmesh)));
-  };
-  Face_gauges result;
-  Gauge_samples samples; // its memory is reused
-  result.reserve(halfedges.size(), triangulation.number_of_faces());
-  const auto add_face = [&](const Index first) {
-    const auto base = halfedges[first];
-    const Face_frame frame(vector_along(base), vector_along(opposite(prev(base, tmesh), tmesh)));
-    const auto directions = directions_of_sides(Face_layout(triangulation, first));
-    if(const Gauge_formula formula = Cost_formulas{frame.x, frame.y}.of(cost, face(base, tmesh)))
-      return result.add(triangulation.halfedges_of_face(first), directions, formula);
-    samples.sample(directions, tolerance, [&](const Plane_vector v) {
+public:
+  Gauge_reader(const TriangleMesh& tmesh,
+               const Halfedges& halfedges,
+               const VertexPointMap& point_map,
+               const Cost& cost,
+               const Intrinsic_triangulation& triangulation)
+    : m_mesh(tmesh),
+      m_halfedges(halfedges),
+      m_point_map(point_map),
+      m_cost(cost),
+      m_triangulation(triangulation)
+  {
+  }
+
+  Face_gauges read(const Slope_limit limit, const double tolerance)
+  {
+    m_limit = limit;
+    m_tolerance = tolerance;
+    m_result.reserve(m_halfedges.size(), m_triangulation.number_of_faces());
+    for(Index h = 0; h < m_halfedges.size(); ++h)
+      if(!m_triangulation.is_border(h) && h == m_triangulation.first_of_face(h))
+        add_face(longest_side(h, m_triangulation));
+    m_result.normalize(m_triangulation.unit());
+    check_cost(m_result, m_triangulation);
+    return std::move(m_result);
+  }
+
+private:
+  void add_face(const Index first)
+  {
+    const Halfedge base = m_halfedges[first];
+    const Face_frame frame(vector_along(base), vector_along(opposite(prev(base, m_mesh), m_mesh)));
+    const auto sides = directions_of_sides(Face_layout(m_triangulation, first));
+    if(const auto formula = Cost_formulas{frame.x, frame.y}.of(m_cost, face(base, m_mesh)))
+      m_result.add(m_triangulation.halfedges_of_face(first), sides, formula);
+    else
+    {
+      sample(first, frame, sides);
+      m_result.add(m_triangulation.halfedges_of_face(first), sides, m_samples);
+    }
+    m_result.limit(m_limit, rises(frame));
+  }
+
+  void sample(const Index first, const Face_frame& frame, const std::array<Plane_vector, 3>& sides)
+  {
+    const auto f = face(m_halfedges[first], m_mesh);
+    m_directions.assign(sides.begin(), sides.end());
+    const bool is_limited = add_steepest(m_limit, rises(frame), m_directions);
+    m_samples.sample(m_directions, m_tolerance, [&](const Plane_vector v) {
+      if(is_limited && !Face_gauges::is_allowed(m_limit, rises(frame), v))
+        return infinity;
       const Space_vector d = frame(v);
-      const double c = cost(face(base, tmesh), vector_3<Kernel>(d));
-      if(!(c >= 0))
-        reject(triangulation.name_of_face(first) + " has cost " + text_of(c) +
-               " in the direction " + text_of(d) +
-               "; it must be a number that is not negative, or infinity");
-      return c + 0.0; // normalizes negative zero
+      return checked_cost(m_cost(f, vector_3<Kernel>(d)), m_triangulation, first, d);
     });
-    result.add(triangulation.halfedges_of_face(first), directions, samples);
-  };
-  for(Index h = 0; h < halfedges.size(); ++h)
-    if(!triangulation.is_border(h) && h == triangulation.first_of_face(h))
-      add_face(longest_side(h, triangulation));
-  result.normalize(triangulation.unit());
-  check_cost(result, triangulation);
-  return result;
-}
+  }
+
+  // Returns those of the axes of a plane.
+  static Plane_vector rises(const Face_frame& frame) { return {frame.x[2], frame.y[2]}; }
+
+  Space_vector vector_along(const Halfedge h) const
+  {
+    return space_vector(get(m_point_map, target(h, m_mesh)) - get(m_point_map, source(h, m_mesh)));
+  }
+
+  const TriangleMesh& m_mesh;
+  const Halfedges& m_halfedges;
+  const VertexPointMap& m_point_map;
+  const Cost& m_cost;
+  const Intrinsic_triangulation& m_triangulation;
+  Slope_limit m_limit;
+  double m_tolerance = 0;
+  Face_gauges m_result;
+  Gauge_samples m_samples;                // their memory is reused
+  std::vector<Plane_vector> m_directions; // likewise
+};
 
 // Returns the relative sampling error allowed for gauges of convex functions.
 template <typename NamedParameters>

@@ -14,6 +14,7 @@
 #include <CGAL/Approximate_geodesics/Paths/Point_pairs.h>
 #include <CGAL/Approximate_geodesics/Paths/Vertex_positions.h>
 #include <CGAL/Approximate_geodesics/Paths/internal/Curve_sources.h>
+#include <CGAL/Approximate_geodesics/Paths/internal/free_ends.h>
 #include <CGAL/Approximate_geodesics/Paths/internal/surface_graph.h>
 #include <CGAL/Approximate_geodesics/Paths/internal/tree_paths.h>
 #include <CGAL/Approximate_geodesics/Search/Propagation.h>
@@ -242,7 +243,11 @@ public:
 
   /// returns the distance from the nearest source to `point`, in the unit of the mesh; infinity if
   /// unreachable.
-  double distance(const Intrinsic_point& point) const { return nearest(point).distance; }
+  double distance(const Intrinsic_point& point) const
+  {
+    const double result = nearest_end(point, std::numeric_limits<double>::infinity()).distance;
+    return is_known(result) ? result : std::numeric_limits<double>::infinity();
+  }
 
   /*!
    * returns a shortest path from `point` to the nearest source; it has no points if there is none.
@@ -361,6 +366,9 @@ private:
       };
   }
 
+  // As `nearest()`, without the source.
+  Answer nearest_end(const Intrinsic_point& point, double longest) const;
+
   // Considers lines from nodes and sources in other faces, on paths not longer than `longest`.
   void consider_lines([[maybe_unused]] const Intrinsic_point& point,
                       [[maybe_unused]] const double longest,
@@ -443,6 +451,7 @@ private:
       for(const auto& [node, length] : lines(m_graph->attach(sources[i].point)))
         if(length < std::numeric_limits<double>::infinity())
           result.push_back({node, sources[i].distance + length * m_graph->unit(), i});
+    internal::add_free_seeds(*m_graph, sources, result);
     return result;
   }
 
@@ -622,8 +631,8 @@ void Surface_search<SurfaceGraph, PriorityQueue>::restart()
 }
 
 template <typename SurfaceGraph, typename PriorityQueue>
-auto Surface_search<SurfaceGraph, PriorityQueue>::nearest(const Intrinsic_point& point,
-                                                          const double longest) const -> Answer
+auto Surface_search<SurfaceGraph, PriorityQueue>::nearest_end(const Intrinsic_point& point,
+                                                              const double longest) const -> Answer
 {
   check(point);
   Answer result = nearest_by_line(point, m_sources, m_points);
@@ -635,8 +644,17 @@ auto Surface_search<SurfaceGraph, PriorityQueue>::nearest(const Intrinsic_point&
     for(const auto& [node, length] : lines(internal::attach_target(*m_graph, point)))
       consider(node, length, result);
   consider_lines(point, longest, result);
+  return result;
+}
+
+template <typename SurfaceGraph, typename PriorityQueue>
+auto Surface_search<SurfaceGraph, PriorityQueue>::nearest(const Intrinsic_point& point,
+                                                          const double longest) const -> Answer
+{
+  Answer result = nearest_end(point, longest);
   if(result.node != Search::null_node)
   {
+    internal::shorten_free_end(m_search, point, result);
     result.source = source(result.node);
     const std::size_t number = m_search.source(result.node);
     if(number != null_source)

@@ -12,6 +12,7 @@
 #include <CGAL/Approximate_geodesics/Queues/Adaptive_bucket_queue.h>
 #include <CGAL/Approximate_geodesics/Search/Propagation_types.h>
 #include <CGAL/Approximate_geodesics/Search/internal/Batch_relaxation.h>
+#include <CGAL/Approximate_geodesics/Search/internal/Free_ways.h>
 #include <CGAL/Approximate_geodesics/Search/internal/Repair.h>
 
 #include <algorithm>
@@ -78,7 +79,8 @@ namespace CGAL::Approximate_geodesics {
  * An object of this class is a workspace. It is made once and used for any number of runs, one
  * after the other; the cost of a run is proportional to what it reaches, not to the size of the
  * graph. Several threads may search one graph at the same time, each with a workspace of its own.
- * Member functions that are `const` only read, with one exception: `source()`.
+ * Member functions that are `const` only read, with two exceptions: `source()`, and where arcs cost
+ * nothing, `predecessor()`.
  *
  * Distances are `double`, in the unit of the mesh. Each is the minimum, over all paths in the
  * graph, of the arc lengths added up from the source on, and so does not depend on the queue. A
@@ -268,6 +270,7 @@ public:
   {
     check(seeds, Stop_rule());
     m_sources.forget(m_labels);
+    m_ways.forget();
     search(seeds, Stop_rule(), Geodesic_visitor_base(), internal::No_heuristic(), {});
   }
 
@@ -332,17 +335,38 @@ public:
   /// returns whether `node` was reached.
   bool is_reached(const Node node) const { return m_labels.is_reached(node); }
 
-  /// returns the node before `node` on a shortest path to it, or `null_node` if the path starts
-  /// with `node`, or `node` was not reached.
+  /*!
+   * returns the node before `node` on a shortest path to it, or `null_node` if the path starts with
+   * `node`, or `node` was not reached.
+   *
+   * If the graph tells the lengths of arcs that cost nothing, and the search has taken some, then
+   * of the shortest paths, those are returned whose free parts are shortest. They are the same for
+   * all queues, and after `repair()`. The first call after such a run searches for them, once more
+   * and over all arcs, and writes to the object, as `source()` does.
+   */
   Node predecessor(const Node node) const
   {
-    return is_reached(node) ? m_labels.predecessor(node) : null_node;
+    if(!is_reached(node))
+      return null_node;
+    if constexpr(internal::tells_free_arcs<Graph>)
+      if(has_free_ways())
+        return m_ways.predecessor(node);
+    return m_labels.predecessor(node);
   }
 
   /// \cond SKIP_IN_MANUAL
 
   // Distances in units of the graph, in which no digits are lost where the mesh is tiny.
   const auto& labels() const { return m_labels; }
+
+  // The length of the parts of the path to `node` that cost nothing, as the graph tells it.
+  double free_length([[maybe_unused]] const Node node) const
+  {
+    if constexpr(internal::tells_free_arcs<Graph>)
+      if(is_reached(node) && has_free_ways())
+        return m_ways.length(node);
+    return 0;
+  }
 
   /// \endcond
 
@@ -355,7 +379,16 @@ public:
    * \warning Although this member function is `const`, it writes to the object: two threads must
    * not call it for the same object at the same time.
    */
-  std::size_t source(const Node node) const { return m_sources.source(node, m_labels, m_seeds); }
+  std::size_t source(const Node node) const
+  {
+    if constexpr(internal::tells_free_arcs<Graph>)
+      if(is_reached(node) && has_free_ways())
+      {
+        const auto seed = m_ways.seed(node);
+        return seed == m_ways.null_seed ? null_source : m_seeds[seed].source;
+      }
+    return m_sources.source(node, m_labels, m_seeds);
+  }
 
   /// returns the nodes that were reached, in the order in which they were first expanded or, if a
   /// visitor watched the run, of their distances. Nodes may occur more than once.
@@ -378,7 +411,7 @@ public:
   /// returns the number of bytes that the workspace takes.
   std::size_t memory() const
   {
-    return internal::memory_of(m_run, m_labels, m_queue, m_sources, m_seeds, m_candidates,
+    return internal::memory_of(m_run, m_labels, m_queue, m_sources, m_ways, m_seeds, m_candidates,
                                m_repair);
   }
 
@@ -493,6 +526,15 @@ private:
     std::vector<Node> lowered;
   };
 
+  // Whether the search has taken arcs that cost nothing.
+  bool has_free_ways() const
+  {
+    if constexpr(internal::tells_free_arcs<Graph>)
+      return m_ways.exist(*m_graph, m_labels, m_seeds);
+    else
+      return false;
+  }
+
   // Resets the labels that are not final: those of nodes in the queue and in the last batch. After
   // A*, all labels stay: only the goal may be queried, and nodes on the path to it may still be in
   // the queue, as their keys were rounded up.
@@ -567,6 +609,7 @@ private:
     count_all();
     m_is_complete = m_is_complete && !m_ended_early;
     m_sources.forget_all(); // a visitor may have queried them before they were final
+    m_ways.forget();
   }
 
   // Calls `f()`. If an exception leaves it, nothing counts as reached.
@@ -587,6 +630,7 @@ private:
   void forget_all()
   {
     m_sources.forget_all();
+    m_ways.forget();
     m_labels.forget_all();
     m_run.forget_all();
     m_repair.forget();
@@ -657,6 +701,7 @@ private:
   void forget()
   {
     m_sources.forget(m_labels);
+    m_ways.forget();
     m_run.forget(m_labels.order());
     m_labels.forget();
     forget_seeds();
@@ -676,6 +721,7 @@ private:
   Queue m_queue;
   internal::Candidate_list<typename Run::Payload> m_candidates; // of a batch; memory is kept
   mutable internal::Nearest_sources m_sources;                  // computed on first request
+  mutable internal::Free_ways_of<Graph> m_ways;                 // likewise
   std::vector<Seed> m_seeds; // of the last run, distances in units of the graph
   Propagation_statistics m_statistics;
   bool m_counts = false;

@@ -34,6 +34,9 @@ struct Seed
   /// the index of its source: what `Propagation::source()` returns for the nodes nearest to this
   /// seed.
   std::size_t source = 0;
+  /// the length of a line from the source to the node that costs nothing, in the unit of
+  /// `GeodesicGraph::for_each_free_arc()`. Of equal seeds, paths start from one with the smallest.
+  double free_length = 0;
 };
 
 /*!

@@ -146,6 +146,14 @@ public:
    *                    `directional_cost()` returns}
    *     \cgalParamDefault{unused: all faces have weight `1`}
    *   \cgalParamNEnd
+   *   \cgalParamNBegin{max_slope}
+   *     \cgalParamDescription{the steepest slope, uphill and downhill, that paths may have in the
+   *                           directions of their straight pieces, in units of z per horizontal
+   *                           unit. Costs depend on the direction then, whether or not there is a
+   *                           face weight map. See `Directional_graph`.}
+   *     \cgalParamType{a number type convertible by `CGAL::to_double()`}
+   *     \cgalParamDefault{infinity: there is no limit}
+   *   \cgalParamNEnd
    *   \cgalParamNBegin{edge_is_constrained_map}
    *     \cgalParamDescription{a property map saying which edges of `tmesh` are barriers, which
    *                           paths may run along, and not cross}
@@ -188,10 +196,10 @@ public:
    *
    * \throws std::invalid_argument if a face is not a triangle, if a coordinate or a length is
    *         infinite or not a number, if a length is negative or does not fit a `double`, if a
-   *         weight or a cost is negative or not a number, if paths cost more than a `double` holds,
-   *         if an index is out of range or given twice, or if the halfedges around a vertex do not
-   *         form one cycle. The message names the element.
-   * \throws std::length_error if `tmesh` has too many halfedges for 32-bit indices.
+   *         weight, a cost or `max_slope` is negative or not a number, if paths cost more than a
+   * `double` holds, if an index is out of range or given twice, or if the halfedges around a vertex
+   * do not form one cycle. The message names the element. \throws std::length_error if `tmesh` has
+   * too many halfedges for 32-bit indices.
    *
    * Run time and memory are \cgalBigO{n} for `n` vertices. The header
    * `CGAL/Approximate_geodesics/Mesh/Triangulation_builder.h` has to be included.

@@ -227,4 +227,13 @@ void compute_matrices_wrongly(const Mesh& mesh, const AG::Edge_graph& graph)
   // a cost function of the slope needs the named parameter heights
   AG::Grid_graph(AG::Grid_shape(), 1,
                  parameters::face_weight_map(AG::directional_cost(AG::Hiking_time())));
+
+  // max_slope needs the named parameter heights
+  AG::Grid_graph(AG::Grid_shape(), 1, parameters::max_slope(0.3));
+
+  // max_slope: this graph does not support it
+  AG::Edge_graph(AG::Intrinsic_triangulation(), parameters::max_slope(0.3));
+
+  // max_slope: costs depend on the direction then
+  AG::Steiner_graph<>(AG::Intrinsic_triangulation(), parameters::max_slope(0.3));
 }

@@ -155,8 +155,9 @@ public:
   /*!
    * makes predecessors independent of tiles, and of what was resumed, as distances are: of several
    * paths with the same cost, takes the one whose last node comes first, in the order of rows,
-   * columns and slots. (Where arcs cost nothing, predecessors stay as they were found.) It follows
-   * all arcs once, so it takes about as long as `run()`.
+   * columns and slots. It follows all arcs once, so it takes about as long as `run()`. Where arcs
+   * cost nothing, predecessors stay as they were found: unlike those of `Propagation`, paths are
+   * not the shortest of those that cost the same.
    *
    * \param visitor as for `run()`
    *

@@ -32,6 +32,7 @@
   APPLY(epsilon_t, epsilon, epsilon)                                                               \
   APPLY(face_weight_t, face_weight, face_weight_map)                                               \
   APPLY(heights_t, heights, heights)                                                               \
+  APPLY(max_slope_t, max_slope, max_slope)                                                         \
   APPLY(maximum_number_of_points_t, maximum_number_of_points, maximum_number_of_points)            \
   APPLY(maximum_number_of_points_per_edge_t, maximum_number_of_points_per_edge,                    \
         maximum_number_of_points_per_edge)                                                         \

@@ -102,6 +102,8 @@ Intrinsic_triangulation without_weights(Intrinsic_triangulation triangulation,
 {
   static_assert(!is_given<NamedParameters, internal_np::face_weight_t>,
                 "face_weight_map: this graph does not support weights; use Steiner_graph");
+  static_assert(!is_given<NamedParameters, internal_np::max_slope_t>,
+                "max_slope: this graph does not support it; use Directional_graph");
   static_assert(!is_given<NamedParameters, internal_np::edge_is_constrained_t>,
                 "edge_is_constrained_map: this graph does not support barriers; use Steiner_graph");
   static_assert(!is_any_given<NamedParameters, internal_np::number_of_points_per_edge_t,

@@ -10,12 +10,38 @@
 
 #include <CGAL/Approximate_geodesics/Mesh/cost_functions.h>
 #include <CGAL/Approximate_geodesics/Surface/internal/Gauge_formula.h>
+#include <CGAL/number_utils.h>
 
 #include <array>
 #include <cmath>
 #include <utility>
 
 namespace CGAL::Approximate_geodesics::internal {
+
+/*
+ * The weights of faces as a cost function.
+ */
+template <typename FaceWeightMap>
+class Weight_cost
+{
+public:
+  explicit Weight_cost(FaceWeightMap weights) : m_weights(std::move(weights)) {}
+
+  template <typename Face, typename Vector_3>
+  double operator()(const Face& face, const Vector_3& /* direction */) const
+  {
+    return CGAL::to_double(get(m_weights, face));
+  }
+
+  template <typename Face>
+  Gauge_formula formula(const Face& face, const Space_vector&, const Space_vector&) const
+  {
+    return Gauge_formula::of_weight(CGAL::to_double(get(m_weights, face)));
+  }
+
+private:
+  FaceWeightMap m_weights;
+};
 
 /*
  * The gauges of cost functions, as far as they are known in closed form, in the plane of a face

@@ -46,6 +46,7 @@ template <typename NamedParameters, typename... Read>
 constexpr bool query_ignores_any = ignores_any<NamedParameters,
                                                internal_np::edge_length_t,
                                                internal_np::face_weight_t,
+                                               internal_np::max_slope_t,
                                                internal_np::edge_is_constrained_t,
                                                internal_np::epsilon_t,
                                                internal_np::number_of_points_per_edge_t,
@@ -55,8 +56,10 @@ constexpr bool query_ignores_any = ignores_any<NamedParameters,
                                                Read...>;
 
 template <typename NamedParameters>
-constexpr bool has_weights =
-    is_any_given<NamedParameters, internal_np::face_weight_t, internal_np::edge_is_constrained_t>;
+constexpr bool has_weights = is_any_given<NamedParameters,
+                                          internal_np::face_weight_t,
+                                          internal_np::max_slope_t,
+                                          internal_np::edge_is_constrained_t>;
 
 // Whether paths run across faces.
 template <typename NamedParameters>

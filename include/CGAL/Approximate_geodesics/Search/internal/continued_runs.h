@@ -64,6 +64,7 @@ void Propagation<GeodesicGraph, PriorityQueue>::repair(const std::vector<Seed>& 
     if(m_is_complete && internal::are_changes_known(*m_graph, m_number_of_changes))
     {
       m_sources.forget(m_labels);
+      m_ways.forget();
       bool is_worthwhile = false;
       guard([&] {
         std::vector<Seed> in_graph_unit = seeds;

@@ -8,6 +8,7 @@
 
 #include <CGAL/license/Approximate_geodesics.h>
 
+#include <CGAL/Approximate_geodesics/Base/internal/Slope_limit.h>
 #include <CGAL/Approximate_geodesics/Surface/internal/Gauge_formula.h>
 #include <CGAL/Approximate_geodesics/Surface/internal/Plane_vector.h>
 #include <CGAL/Approximate_geodesics/Surface/internal/triangulation_arrays.h>
@@ -16,6 +17,7 @@
 #include <array>
 #include <cmath>
 #include <cstddef>
+#include <iterator>
 #include <limits>
 #include <vector>
 
@@ -252,12 +254,12 @@ public:
     }
   }
 
-  // Replaces the samples, starting with the directions of the sides of the face, the first of which
-  // is the x axis. `cost` is called with a unit vector.
-  template <typename Cost>
-  void sample(const std::array<Plane_vector, 3>& sides, const double tolerance, const Cost& cost)
+  // Replaces the samples, starting with given directions, such as those of the sides of the face,
+  // the first of which is the x axis. `cost` is called with a unit vector.
+  template <typename Directions, typename Cost>
+  void sample(const Directions& directions, const double tolerance, const Cost& cost)
   {
-    set_first_directions(sides);
+    set_first_directions(directions);
     m_hull.clear();
     Id last = 0;
     for(const Plane_vector d : m_first)
@@ -277,17 +279,15 @@ private:
   static constexpr double SMALLEST_SINE = 1e-5; // between directions
   static constexpr double SMALLEST_GAP = 0.002; // between a finite and an infinite cost
 
-  // Directions of the sides replace others that are near.
-  void set_first_directions(const std::array<Plane_vector, 3>& sides)
+  // Given directions replace others that are near.
+  template <typename Directions>
+  void set_first_directions(const Directions& directions)
   {
     constexpr double near = 0.02, same = 1e-6;
     m_first.assign(1, {1, 0});
-    for(Plane_vector side : {sides[1], sides[2]})
-    {
-      side = side.y < 0 ? -1 * side : side;
-      if(is_apart(side, same))
-        m_first.push_back(side);
-    }
+    for(auto i = std::next(std::begin(directions)); i != std::end(directions); ++i)
+      if(const Plane_vector d = i->y < 0 ? -1 * *i : *i; is_apart(d, same))
+        m_first.push_back(d);
     for(const Plane_vector d : m_equal_parts)
       if(is_apart(d, near))
         m_first.push_back(d);
@@ -379,6 +379,10 @@ inline int exponent_of_costs(const double largest, const double unit_of_lengths)
  * The costs of paths in faces that depend on the direction: for each face, a convex gauge in a
  * frame that is given by the directions of its sides. It has a formula, or its unit ball is a
  * polygon, with one sector per side. Costs are in units of `unit()`.
+ *
+ * With a limit of the slope, costs of steeper directions are infinite, which is not convex: no
+ * zigzags take the place of these directions. A face none of whose directions is steeper keeps its
+ * gauge.
  */
 class Face_gauges
 {
@@ -420,6 +424,12 @@ public:
     return !has_formula(face) && m_first_sector[face] == m_first_sector[face + 1];
   }
 
+  // Returns whether some directions of a face are steeper than the limit.
+  bool is_limited(const Index face) const
+  {
+    return face < m_rises.size() && !(m_rises[face].x == 0 && m_rises[face].y == 0);
+  }
+
   // Returns an upper bound of the finite costs of unit vectors.
   double largest_cost(const Index face) const
   {
@@ -429,8 +439,14 @@ public:
     return result;
   }
 
-  // Returns the gauge of a vector in the frame of the face.
+  // Returns the cost of a vector in the frame of the face.
   double cost(const Index face, const Plane_vector v) const
+  {
+    return is_limited(face) && !is_allowed(m_limit, m_rises[face], v) ? infinity : gauge(face, v);
+  }
+
+  // Returns the gauge of a vector, whether or not it is too steep.
+  double gauge(const Index face, const Plane_vector v) const
   {
     if(v.x == 0 && v.y == 0)
       return 0;
@@ -447,7 +463,7 @@ public:
   std::size_t memory() const
   {
     return memory_of(m_sectors, m_formulas, m_side, m_first_sector, m_corner_of_halfedge,
-                     m_beyond_upper);
+                     m_beyond_upper, m_rises);
   }
 
   const std::vector<Sector>& all_sectors() const { return m_sectors; }
@@ -507,6 +523,33 @@ public:
     m_formulas.push_back(formula);
     m_first_sector.push_back(m_sectors.size());
     m_beyond_upper.push_back(0);
+  }
+
+  // Keeps paths in the face that was added last from directions that are too steep. `rises` are
+  // those of the axes of its plane. All faces have the same limit.
+  void limit(const Slope_limit limit, const Plane_vector rises)
+  {
+    m_limit = limit;
+    if(has_steep_directions(limit, rises))
+    {
+      m_rises.resize(number_of_faces(), {0, 0});
+      m_rises.back() = rises;
+    }
+  }
+
+  // Returns whether some directions of a plane are too steep.
+  static bool has_steep_directions(const Slope_limit limit, const Plane_vector rises)
+  {
+    return !limit.is_none() && !is_allowed(limit, rises, direction_of(rises));
+  }
+
+  // Returns whether a vector is not too steep. \pre There is a limit.
+  static bool is_allowed(const Slope_limit limit, const Plane_vector rises, const Plane_vector v)
+  {
+    constexpr double rounding = 1e-13;
+    const double rise = dot(rises, v), square = dot(v, v);
+    return limit.allows(rise, std::sqrt((std::max)(square - rise * rise, 0.)),
+                        rounding * std::sqrt(square));
   }
 
   // Chooses a power of two as unit, so that products with lengths neither overflow nor underflow.
@@ -587,6 +630,8 @@ private:
   std::vector<Index> m_beyond_upper; // per face: number of sectors that start in the first half
   std::vector<Sector> m_sectors;
   std::vector<Gauge_formula> m_formulas; // per face; empty if there is none
+  std::vector<Plane_vector> m_rises;     // per face, up to the last one that is limited; else zero
+  Slope_limit m_limit;
   double m_unit = 1;
   double m_sampling_error = 0;
 };

@@ -31,6 +31,14 @@ public:
 
   Gauge_formula() = default;
 
+  // The same cost in all directions: no formula unless it is finite, and positive.
+  static Gauge_formula of_weight(const double weight)
+  {
+    Gauge_formula result;
+    result.m_factor = weight < (std::numeric_limits<double>::max)() ? weight : 0;
+    return result;
+  }
+
   // Costs depend on the slope; `rises` are those of the axes of the plane of the face.
   static Gauge_formula
   of_slopes(const Slope_cost cost, const double factor, const Plane_vector rises)

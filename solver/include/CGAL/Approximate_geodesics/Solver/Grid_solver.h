@@ -47,8 +47,9 @@ public:
    * builds the graph. It copies what it needs, and keeps no pointer.
    *
    * \throws std::invalid_argument, std::length_error as the constructor of `Grid_graph` does.
-   * \throws std::invalid_argument also if costs are of the slope and there are no heights, if there
-   *         is a bound `epsilon` with heights or costs, or if numbers of the costs are wrong.
+   * \throws std::invalid_argument also if costs or a limit are of the slope and there are no
+   * heights, if there is a bound `epsilon` with heights or costs, or if numbers of the costs are
+   * wrong.
    */
   explicit Grid_solver(const Grid_shape& shape,
                        const Grid_solver_options& options = Grid_solver_options(),

@@ -169,6 +169,7 @@ public:
     Solver_options options;
     options.epsilon = file.epsilon;
     options.directional_cost = std::move(file.cost);
+    options.max_slope = file.max_slope;
     options.accept_weaker_bound = file.accepts_weaker_bound;
     options.maximum_number_of_points = static_cast<std::size_t>(file.maximum_number_of_points);
     options.number_of_threads = number_of_threads;
@@ -227,6 +228,9 @@ public:
 
   /// returns the directional costs, if there are any.
   const std::optional<Solver_cost>& directional_cost() const { return m_costs.directional_cost(); }
+
+  /// returns the limit of slopes, or infinity if there is none.
+  double max_slope() const { return m_costs.max_slope(); }
 
   /// returns whether any edges are barriers.
   bool has_barriers() const { return m_costs.has_barriers(); }
@@ -607,6 +611,7 @@ private:
       m_costs.set_weights(options.face_weights);
     if(options.directional_cost)
       m_costs.set_directional_cost(*options.directional_cost);
+    m_costs.set_max_slope(options.max_slope);
     if(options.number_of_barriers > 0)
       m_costs.set_barriers(options.barriers, options.number_of_barriers);
     internal::with_threads(m_number_of_threads, [&] {

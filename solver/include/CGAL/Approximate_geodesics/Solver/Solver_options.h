@@ -177,6 +177,10 @@ struct Solver_options
   /// `face_weights`.
   std::optional<Solver_cost> directional_cost = std::nullopt;
 
+  /// the steepest slope of straight pieces of paths, uphill and downhill, with any costs; see
+  /// `Directional_graph`. If it is infinite, there is no limit.
+  double max_slope = std::numeric_limits<double>::infinity();
+
   /// whether to accept a weaker bound where `epsilon` cannot be guaranteed with these costs;
   /// `Solver::error_bound()` returns the resulting bound.
   bool accept_weaker_bound = false;
@@ -229,6 +233,10 @@ struct Grid_solver_options
 
   /// the costs per unit of length on slopes from `-4` to `4`, instead of `cost`, if not empty.
   std::vector<double> slope_costs = {};
+
+  /// the steepest slope of lines, uphill and downhill; it needs heights. If it is infinite, there
+  /// is no limit.
+  double max_slope = std::numeric_limits<double>::infinity();
 };
 
 /*!

@@ -90,6 +90,25 @@ public:
     return checked_cost(cell, direction(line, sides, 0));
   }
 
+  // Returns the length of a line on the surface; the line has this length relative to its own one.
+  double length(const Grid_lines& lines,
+                const Grid_lines::Line& line,
+                const std::size_t from,
+                const double scale) const
+  {
+    if(!has_heights())
+      return scale * line.length;
+    double result = 0, last_height = m_heights[from];
+    for(std::size_t k = line.first_piece; k < line.beyond_piece; ++k)
+    {
+      const Grid_lines::Piece& piece = lines.pieces()[k];
+      const double next = end_height(piece, m_heights.data() + from);
+      result += std::hypot(scale * piece.length, next - last_height);
+      last_height = next;
+    }
+    return result;
+  }
+
   // Returns the cost of a line if all cells have the same friction, with the bits of `cost()`. The
   // line has this length relative to its own one.
   double cost_if_uniform(const Grid_lines& lines,

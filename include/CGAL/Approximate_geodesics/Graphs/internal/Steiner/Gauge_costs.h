@@ -30,7 +30,11 @@ class Edge_costs
 public:
   Edge_costs() = default;
 
-  explicit Edge_costs(const Intrinsic_triangulation& triangulation)
+  // `Cost` is how faces are asked for costs: with or without the limit of the slope.
+  using Cost = double (Face_gauges::*)(Index, Plane_vector) const;
+
+  explicit Edge_costs(const Intrinsic_triangulation& triangulation,
+                      const Cost cost = &Face_gauges::cost)
     : m_cost(triangulation.number_of_halfedges()),
       m_cost_back(triangulation.has_barriers() ? m_cost.size() : 0)
   {
@@ -39,14 +43,14 @@ public:
              "constructor, as face_weight_map(directional_cost(f))");
     for(Index h = 0; h < m_cost.size(); ++h)
     {
-      const double there = in_face(triangulation, h, 1);
+      const double there = in_face(triangulation, h, 1, cost);
       if(triangulation.is_barrier(h))
       {
         m_cost[h] = there;
-        m_cost_back[h] = in_face(triangulation, h, -1);
+        m_cost_back[h] = in_face(triangulation, h, -1, cost);
       }
       else
-        m_cost[h] = (std::min)(there, in_face(triangulation, triangulation.opposite(h), -1));
+        m_cost[h] = (std::min)(there, in_face(triangulation, triangulation.opposite(h), -1, cost));
     }
   }
 
@@ -63,13 +67,15 @@ public:
 
 private:
   // Returns the cost of the direction of `h`, or of the opposite one, in the face to its left.
-  static double
-  in_face(const Intrinsic_triangulation& triangulation, const Index h, const double sign)
+  static double in_face(const Intrinsic_triangulation& triangulation,
+                        const Index h,
+                        const double sign,
+                        const Cost cost)
   {
     if(triangulation.is_border(h))
       return infinity;
     const auto& gauges = triangulation.gauges();
-    return gauges.cost(gauges.face(h), sign * gauges.side(h));
+    return (gauges.*cost)(gauges.face(h), sign * gauges.side(h));
   }
 
   std::vector<double> m_cost;      // per halfedge
@@ -161,10 +167,16 @@ public:
     visit(h, at_source, worthwhile(h, at_source, self, source, target), f);
   }
 
-  // There are no arcs back across a face, as narrow ones are not left out.
+  // Enumerates the arcs from a viewpoint back across a face that its path has crossed: none, as
+  // narrow ones are not left out; but where the limit of the slope keeps a path from going straight
+  // on, it may turn at the side.
   template <typename Labels, typename F>
-  void expand_back(const Viewpoint&, const Face&, Node /* origin */, const Labels&, F&) const
+  void expand_back(
+      const Viewpoint& view, const Face& face, Node /* origin */, const Labels& labels, F& f) const
   {
+    const Face_gauges& gauges = m_triangulation.gauges();
+    if(gauges.is_limited(gauges.face(face[0])))
+      expand_face(view, face, labels, f);
   }
 
 private:
@@ -247,7 +259,8 @@ private:
   // it. Straight arcs from two points of a side to two points of another need not cross: exchanging
   // their ends does not increase their costs, by the triangle inequality at the crossing. So the
   // points that a neighbor reaches at a lower cost are at its own end of the row. Where both costs
-  // are infinite, the search may miss some of these points, which only enumerates more arcs.
+  // are infinite, the search may miss some of these points, which only enumerates more arcs. A face
+  // where the slope is limited has no triangle inequality, so all its arcs are enumerated.
   // `Weighted_costs::worthwhile()` does the same for weights.
   std::pair<Index, Index> worthwhile(const Index h,
                                      const Row& row,
@@ -255,7 +268,8 @@ private:
                                      const Rival& nearer,
                                      const Rival& farther) const
   {
-    if(row.size < LONG_ROW)
+    const Face_gauges& gauges = m_triangulation.gauges();
+    if(row.size < LONG_ROW || gauges.is_limited(gauges.face(h)))
       return {0, row.size};
     const Index first = search(h, row, self, nearer, 0, true);
     return {first, search(h, row, self, farther, first, false)};

@@ -33,7 +33,7 @@ public:
 
   explicit Gauge_vicinities(const Intrinsic_triangulation& triangulation)
     : m_triangulation(triangulation),
-      m_edges(triangulation),
+      m_edges(triangulation, &Face_gauges::gauge),
       m_vertices(triangulation.number_of_vertices())
   {
   }
@@ -113,7 +113,7 @@ private:
   }
 
   const Intrinsic_triangulation& m_triangulation;
-  const Edge_costs m_edges;
+  const Edge_costs m_edges; // whether or not they are too steep
   std::vector<Vertex> m_vertices;
 };
 

@@ -123,6 +123,7 @@ protected:
     m_changes.reserve(changes.size());
     m_triangulation.set_weights(changes,
                                 [this](const Index h, const double before, const double after) {
+                                  m_may_have_free_arcs = m_may_have_free_arcs || after == 0;
                                   if(after != before)
                                     add_change(group_of_face(h), after < before);
                                 });
@@ -146,6 +147,7 @@ protected:
   Intrinsic_triangulation m_triangulation;
   Steiner_nodes m_nodes;
   Arc_changes m_changes;
+  bool m_may_have_free_arcs = false;
 
 private:
   void add_change(const std::size_t group, const bool is_shorter)

@@ -216,9 +216,12 @@ public:
     m_cost = std::move(cost);
   }
 
+  void set_max_slope(const double max_slope) { m_max_slope = max_slope; }
+
   bool has_weights() const { return m_weights.has_value(); }
   bool has_barriers() const { return !m_is_barrier.empty(); }
   const std::optional<Solver_cost>& directional_cost() const { return m_cost; }
+  double max_slope() const { return m_max_slope; }
   double weight(const Face f) const { return (*m_weights)[f]; }
   bool is_barrier(const Edge e) const { return has_barriers() && m_is_barrier[e]; }
 
@@ -229,23 +232,31 @@ public:
     const auto barriers =
         boost::make_function_property_map<Edge>([this](const Edge e) { return is_barrier(e); });
     if(m_cost)
-      return Intrinsic_triangulation(
-          m_mesh, parameters::face_weight_map(Approximate_geodesics::directional_cost(
-                                                  cost_function(*m_cost, m_mesh.number_of_faces())))
-                      .edge_is_constrained_map(barriers)
-                      .epsilon(bound));
+      return limited(
+          parameters::face_weight_map(Approximate_geodesics::directional_cost(
+                                          cost_function(*m_cost, m_mesh.number_of_faces())))
+              .edge_is_constrained_map(barriers)
+              .epsilon(bound));
     if(m_weights)
-      return Intrinsic_triangulation(
-          m_mesh,
+      return limited(
           parameters::face_weight_map(
               boost::make_iterator_property_map(m_weights->begin(), get(boost::face_index, m_mesh)))
               .edge_is_constrained_map(barriers));
-    if(has_barriers())
-      return Intrinsic_triangulation(m_mesh, parameters::edge_is_constrained_map(barriers));
+    if(has_barriers() || is_limited())
+      return limited(parameters::epsilon(bound).edge_is_constrained_map(barriers));
     return Intrinsic_triangulation(m_mesh);
   }
 
 private:
+  bool is_limited() const { return !(m_max_slope == infinity); }
+
+  template <typename NamedParameters>
+  Intrinsic_triangulation limited(const NamedParameters& np) const
+  {
+    return is_limited() ? Intrinsic_triangulation(m_mesh, np.max_slope(m_max_slope))
+                        : Intrinsic_triangulation(m_mesh, np);
+  }
+
   Vertex end(const std::int64_t vertex, const std::size_t barrier) const
   {
     if(static_cast<std::uint64_t>(vertex) >= m_mesh.number_of_vertices())
@@ -259,6 +270,7 @@ private:
   std::optional<std::vector<double>> m_weights; // of faces
   std::vector<bool> m_is_barrier;               // of edges; empty without barriers
   std::optional<Solver_cost> m_cost;
+  double m_max_slope = infinity;
 };
 
 } // namespace CGAL::Approximate_geodesics::internal

@@ -18,6 +18,7 @@
 
 #include <cstddef>
 #include <cstdint>
+#include <limits>
 #include <optional>
 #include <vector>
 
@@ -34,11 +35,13 @@ struct Solver_file
   std::optional<std::vector<double>> weights;
   std::optional<std::vector<std::int64_t>> barriers;
   std::optional<Solver_cost> cost;
+  double max_slope = std::numeric_limits<double>::infinity();
   bool accepts_weaker_bound = false;
   std::uint64_t maximum_number_of_points = 0;
 
   static constexpr std::uint64_t SIGNATURE = 0x0a1a0d56534c4741; // AGLSV, and line ends
-  static constexpr std::uint32_t VERSION = 2;
+  static constexpr std::uint32_t VERSION = 3;
+  static constexpr std::uint32_t VERSION_WITHOUT_MAX_SLOPE = 2;
   static constexpr const char* CONTENTS = "the solver"; // used in messages
 
   Solver_file() = default;
@@ -46,6 +49,7 @@ struct Solver_file
   Solver_file(const Array_mesh& mesh, const Array_costs& costs, const Bound_of_graph& bound)
     : epsilon(bound.epsilon),
       cost(costs.directional_cost()),
+      max_slope(costs.max_slope()),
       accepts_weaker_bound(bound.accepts_weaker),
       maximum_number_of_points(bound.maximum_number_of_points)
   {
@@ -85,6 +89,7 @@ struct Solver_file
     writer.write(static_cast<std::uint8_t>(accepts_weaker_bound));
     writer.write(maximum_number_of_points);
     write(writer, cost);
+    writer.write(max_slope);
     writer.finish();
   }
 
@@ -94,9 +99,10 @@ struct Solver_file
     if(reader.read<std::uint64_t>() != SIGNATURE)
       reject("the file does not contain a solver");
     const auto version = reader.read<std::uint32_t>();
-    if(version != VERSION)
+    if(version != VERSION && version != VERSION_WITHOUT_MAX_SLOPE)
       reject("the file of the solver has version " + std::to_string(version) +
-             "; this program reads version " + std::to_string(VERSION));
+             "; this program reads versions " + std::to_string(VERSION_WITHOUT_MAX_SLOPE) +
+             " and " + std::to_string(VERSION));
     read(reader, coordinates);
     read(reader, corners);
     const bool has_epsilon = reader.read<std::uint8_t>() != 0;
@@ -108,6 +114,8 @@ struct Solver_file
     accepts_weaker_bound = reader.read<std::uint8_t>() != 0;
     maximum_number_of_points = reader.read<std::uint64_t>();
     read(reader, cost);
+    if(version == VERSION)
+      max_slope = reader.read<double>();
     reader.finish();
   }
 

@@ -98,6 +98,8 @@ Grid_graph make_grid_graph(const Grid_shape& shape,
     return Grid_graph(shape, friction, parameters::epsilon(*options.epsilon));
   if(options.heights == nullptr)
   {
+    if(!(options.max_slope == infinity))
+      reject("max_slope is given, and there are no heights");
     if(by_slope)
       reject("the costs depend on the slope, and there are no heights");
     if(!has_costs)
@@ -106,8 +108,10 @@ Grid_graph make_grid_graph(const Grid_shape& shape,
                       parameters::face_weight_map(Approximate_geodesics::directional_cost(
                           cell_function(shape, *options.cost))));
   }
-  const auto heights = parameters::heights(
-      CGAL::make_range(options.heights, options.heights + shape.number_of_cells()));
+  const auto heights =
+      parameters::heights(
+          CGAL::make_range(options.heights, options.heights + shape.number_of_cells()))
+          .max_slope(options.max_slope);
   if(by_slope)
     return Grid_graph(shape, friction,
                       heights.face_weight_map(Approximate_geodesics::directional_cost(by_slope)));

@@ -284,8 +284,8 @@ private:
       m_has_changed = true;
     }
     else
-      reject("the solver was made without face weights and barriers, or with directional costs; "
-             "then nothing of these can change");
+      reject("the solver was made without face weights and barriers, or with directional costs or "
+             "max_slope; then nothing of these can change");
   }
 
   template <typename Find>
@@ -400,8 +400,8 @@ Optional_points<Placement> optional_points(const Bound_of_graph& bound, const Op
   if(!bound.epsilon)
     return Optional_points<Placement>(std::nullopt);
   if(*bound.epsilon == 0)
-    reject("epsilon is 0, but there are no exact distances with face weights, directional costs or "
-           "barriers; give a number above 0");
+    reject("epsilon is 0, but there are no exact distances with face weights, directional costs, "
+           "max_slope or barriers; give a number above 0");
   return Optional_points<Placement>(Placement(
       parameters::epsilon(*bound.epsilon).accept_weaker_bound(bound.accepts_weaker), options...));
 }
