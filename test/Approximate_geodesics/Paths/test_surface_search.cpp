@@ -275,6 +275,25 @@ TEST_F(Surface_searches, keep_their_results_when_input_is_refused)
   EXPECT_FALSE(search.find_path(m_points[3]).points.empty());
 }
 
+// Nor are they lost if no node was reached, but points in the face of the source.
+TEST_F(Surface_searches, keep_results_without_nodes_when_input_is_refused)
+{
+  const AG::Edge_graph graph(m_triangulation);
+  AG::Surface_search search(graph);
+  const AG::Intrinsic_point source = AG::Intrinsic_point::in_face(0, 0.3, 0.3),
+                            target = AG::Intrinsic_point::in_face(0, 0.3, 0.301);
+  search.run({{source}}, {0.01, {}});
+  ASSERT_TRUE(search.search().reached_nodes().empty());
+  const double before = search.distance(target);
+  EXPECT_LT(before, 0.01);
+  expect_message<std::invalid_argument>(
+      [&] {
+        search.run({{m_points[1]}}, {std::nan(""), {}});
+      },
+      "maximum distance");
+  EXPECT_EQ(search.distance(target), before);
+}
+
 // What was found before must not be mixed with what changes.
 TEST_F(Surface_searches, forget_everything_when_they_start_anew)
 {
