@@ -199,6 +199,20 @@ def test_slopes_are_limited():
             ag.Solver(vertices, faces, max_slope=wrong)
 
 
+def test_free_faces_are_crossed_straight_on():
+    vertices, faces = grid(20)
+    weights = np.ones(len(faces))
+    middle = vertices[faces].mean(axis=1)[:, 1]
+    weights[(middle > 6) & (middle < 13)] = 0
+    ends = (3 * 20, 3 * 20 + 19)
+    for free in (np.zeros(len(faces)), weights):
+        solver = ag.Solver(vertices, faces, 0.3, face_weights=free)
+        path, cost = solver.path(*ends, return_length=True)
+        length = np.linalg.norm(np.diff(path, axis=0), axis=1).sum()
+        assert cost <= 6 * 1.3
+        assert length <= 1.3 * (19 if free is not weights else 25)
+
+
 def test_what_costs_look_like():
     assert repr(ag.HikingTime(0.6)) == "HikingTime(0.6)"
     assert repr(ag.OneWay(np.ones((2, 3)))) == "OneWay(<ways of 2 faces>, 1, 0)"

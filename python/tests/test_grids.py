@@ -73,6 +73,27 @@ def test_slopes_are_limited():
         ag.Grid(heights, max_slope=0.3)
 
 
+def length_of(path):
+    return np.linalg.norm(np.diff(path, axis=0), axis=1).sum()
+
+
+def test_free_cells_are_crossed_straight_on():
+    for shape in ((60, 60), (101, 101)):
+        path, cost = ag.Grid(np.zeros(shape)).path((30, 30), (45, shape[1] - 1), return_length=True)
+        assert cost == 0
+        assert length_of(path) <= 1.003 * np.hypot(15, shape[1] - 31)
+    channel = np.full((60, 60), 100.0)
+    channel[25:36, 5:55] = 0
+    assert length_of(ag.Grid(channel).path((30, 6), (28, 53))) <= 1.003 * np.hypot(2, 47)
+    grid = ag.Grid(np.zeros((31, 43)))
+    costs, nearest, predecessors = grid.distances(
+        [(3, 3), (25, 40)], return_nearest=True, return_predecessors=True
+    )
+    assert np.all(costs == 0)
+    assert nearest[4, 9] == 0 and nearest[30, 30] == 1
+    assert predecessors[3, 4] == 3 * 43 + 3
+
+
 def test_paths_sources_and_predecessors():
     friction = np.ones((31, 43))
     friction[:25, 20] = np.inf

@@ -137,7 +137,7 @@ double height_on_triangles(const double h00,
                    : h11 + (1 - u) * (h01 - h11) + (1 - v) * (h10 - h11);
 }
 
-// The steepest slope of a line, which is linear between many thousand points but for few of them.
+// The steepest slope of a line, which is linear between a thousand points but for few of them.
 double steepest_slope(const Grid_shape& shape, const Cell_values& height, Grid_cell a, Grid_cell b)
 {
   const double x = double(a.column), y = double(a.row);
@@ -156,7 +156,7 @@ double steepest_slope(const Grid_shape& shape, const Cell_values& height, Grid_c
       return height_on_triangles(h(0, 0), h(1, 0), h(0, 1), h(1, 1), px - i, py - j,
                                  by_first_diagonal);
     };
-    constexpr int number = 4096;
+    constexpr int number = 1024;
     for(int k = 0; k + 2 <= number; ++k)
     {
       const double first = at(double(k) / number), middle = at(double(k + 1) / number),

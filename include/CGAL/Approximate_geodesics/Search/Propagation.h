@@ -526,13 +526,16 @@ private:
     std::vector<Node> lowered;
   };
 
-  // Whether the search has taken arcs that cost nothing.
+  // Whether the search has taken arcs that cost nothing. Their ways are not looked for any more
+  // after arcs have changed.
   bool has_free_ways() const
   {
-    if constexpr(internal::tells_free_arcs<Graph>)
-      return m_ways.exist(*m_graph, m_labels, m_seeds);
-    else
+    if constexpr(!internal::tells_free_arcs<Graph>)
       return false;
+    else if(internal::number_of_changes(*m_graph) != m_number_of_changes)
+      return m_ways.are_known();
+    else
+      return m_ways.exist(*m_graph, m_labels, m_seeds);
   }
 
   // Resets the labels that are not final: those of nodes in the queue and in the last batch. After

@@ -59,6 +59,9 @@ public:
     return m_state == EXIST;
   }
 
+  // Returns whether they have been found.
+  bool are_known() const { return m_state == EXIST; }
+
   // \pre There are free ways, and the node was reached.
 
   Node predecessor(const Node node) const { return m_ways[node].predecessor; }
