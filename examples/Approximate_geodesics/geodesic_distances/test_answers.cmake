@@ -90,7 +90,8 @@ expect_contents(geodesic_distances_isolines.vtp "NumberOfLines=\"3\"")
 expect(1 "exists; --force replaces it" ${PROGRAM} square.off -o all)
 
 # of an earlier run, nothing stays that could pass for a result of this one
-file(REMOVE ${folder}/all.ply ${folder}/all.vtp ${folder}/all_paths.vtp)
+answer("Written: all.ply" square.off -o all -t 2 --csv -i 0.5 1)
+file(REMOVE ${folder}/all.ply ${folder}/all.vtp ${folder}/all_paths.vtp ${folder}/all.csv)
 expect(1 "--output: all.polylines.txt exists, of an earlier run; --force removes it" ${PROGRAM}
        square.off -o all --csv)
 answer("Removed, as it was of an earlier run: all.polylines.txt\nRemoved, [^\n]*: all_isolines.vtp\n"

@@ -121,10 +121,10 @@ refuse("--load-graph: the graph has its own bound" square.off -e 1 --load-graph 
 # costs
 refuse("--weights: cannot read weights.txt: No such file" square.off -e 1 -w weights.txt)
 refuse("--weights property:cost: square.off is not a PLY file" square.off -e 1 -w property:cost)
-refuse("--weights property:cost: the faces of square.ply have no property cost that is a number" square.ply
+refuse("--weights property:cost: the faces of colors.ply have no property cost that is a number" colors.ply
        -e 1 -w property:cost)
-refuse("--weights property:vertex_indices: the faces of square.ply have no property vertex_indices that is"
-       square.ply -e 1 -w property:vertex_indices)
+refuse("--weights property:vertex_indices: the faces of colors.ply have no property vertex_indices that is"
+       colors.ply -e 1 -w property:vertex_indices)
 file(WRITE ${folder}/weights.txt "1\n-2 # a comment\n")
 refuse("--weights weights.txt: line 2: \"-2\" is not a weight" square.off -e 1 -w weights.txt)
 file(WRITE ${folder}/weights.txt "1 2 3\n")

@@ -25,11 +25,11 @@ file(WRITE ${folder}/wrong_index.ply
      "ply\nformat ascii 1.0\nelement vertex 3\nproperty double x\nproperty double y\n"
      "property double z\nelement face 1\nproperty list uchar int vertex_indices\nend_header\n"
      "0 0 0\n1 0 0\n0 1 0\n3 0 1 3\n")
-file(WRITE ${folder}/square.ply
+file(WRITE ${folder}/colors.ply
      "ply\nformat ascii 1.0\nelement vertex 4\nproperty double x\nproperty double y\n"
      "property double z\nelement face 2\nproperty uchar red\nproperty uchar green\n"
      "property uchar blue\nproperty list uchar ushort vertex_indices\nend_header\n"
-     "0 0 0\n1 0 0\n1 1 0\n0 1 0\n3 5 9 3 0 1 2\n7 5 9 3 0 2 3\n")
+     "0 0 0\n1 0 0\n1 1 0\n0 1 0\n3 5 9 3 0 1 2\n7 5 2 3 0 2 3\n")
 file(WRITE ${folder}/empty.off "")
 file(WRITE ${folder}/empty.stl "")
 file(WRITE ${folder}/edge.obj "v 0 0 0\nv 1 0 0\nf 1 2\n")

@@ -129,6 +129,15 @@ std::string error_in_corners(const std::vector<Face>& faces, const std::size_t n
   return "";
 }
 
+inline std::string reason_of_failure(std::istream& in, const std::string& ending)
+{
+  std::string result = "a number in it exceeds the memory";
+  in.clear();
+  in.seekg(0);
+  fits_memory([&] { result = error_in_mesh_file(in, ending); });
+  return result;
+}
+
 // Reads a file in a usual form, which takes CGAL several times as long. Returns false, and leaves
 // nothing, if it is in another one, or damaged: CGAL's reader, or the search for the reason,
 // decides about these.
@@ -201,13 +210,7 @@ void read_soup(const std::string& file, std::vector<Point>& points, std::vector<
     fail(e.what());
   }
   if(!is_read)
-  {
-    std::string reason = "a number in it exceeds the memory";
-    in.clear();
-    in.seekg(0);
-    internal::fits_memory([&] { reason = internal::error_in_mesh_file(in, ending); });
-    fail(reason);
-  }
+    fail(internal::reason_of_failure(in, ending));
   const std::string error = internal::error_in_corners(faces, points.size());
   if(!error.empty())
     fail(error);
