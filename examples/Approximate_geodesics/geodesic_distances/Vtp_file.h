@@ -71,8 +71,8 @@ public:
     std::string codes;
     for(const std::string& text : texts)
     {
-      for(const unsigned char c : text)
-        codes += std::to_string(int(c)) + ' ';
+      for(const char c : text)
+        codes += std::to_string(static_cast<unsigned char>(c)) + ' ';
       codes += "0 ";
     }
     m_of_cells.text += "<DataArray type=\"String\" Name=\"" + name + "\" NumberOfTuples=\"" +

@@ -324,6 +324,8 @@ def main(
     mesh, scene = without_unused_points(read(surface)), read(paths)
     renderer = make_renderer(mesh, scene, colors, title)
     place_camera(renderer, float(azimuth), float(elevation), up)
+    renderer.GetActiveCamera().Zoom(0.95)
+    renderer.GetActiveCamera().SetWindowCenter(0.07, -0.04)  # leaves room for bar and caption
     add_labels(renderer, scene, mesh.GetLength())
     renderer.ResetCameraClippingRange()
     save(renderer, SIZE, picture)
