@@ -4,6 +4,7 @@
 #include "Ignored_signal.h"
 #include "Interruption.h"
 #include "New_file.h"
+#include "Old_file.h"
 
 #include <cerrno>
 #include <csignal>
@@ -13,7 +14,8 @@
 #include <vector>
 
 // Files that are written together: all of them, or none. They take their names when all are
-// complete. If one cannot be written, or the user interrupts that, everything stays as it was.
+// complete, and those of an earlier run go then, which would pass for some of this one. If one
+// cannot be written, or the user interrupts that, everything stays as it was.
 class New_files
 {
 public:
@@ -50,12 +52,18 @@ public:
     return place;
   }
 
+  // Adds a file that shall go, if it is there and no device.
+  void remove(const std::string& name) { m_old_files.emplace_back(name); }
+
   void put_in_place()
   {
     Interruption::check();
     auto file = m_files.begin();
+    auto old_file = m_old_files.begin();
     try
     {
+      for(; old_file != m_old_files.end(); ++old_file)
+        old_file->put_aside();
       for(; file != m_files.end(); ++file)
         file->put_in_place(m_replaces);
     }
@@ -63,9 +71,12 @@ public:
     {
       while(file != m_files.begin())
         (--file)->take_back();
+      while(old_file != m_old_files.begin())
+        (--old_file)->take_back();
       throw;
     }
     m_files.clear();
+    m_old_files.clear();
   }
 
 private:
@@ -73,6 +84,7 @@ private:
   Ignored_signal m_broken_pipe{SIGPIPE};
   Ignored_signal m_file_too_large{SIGXFSZ};
   bool m_replaces;
+  std::vector<Old_file> m_old_files;
   std::vector<New_file> m_files; // goes first
 };
 

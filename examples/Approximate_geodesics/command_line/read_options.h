@@ -1,11 +1,15 @@
 #ifndef COMMAND_LINE_READ_OPTIONS_H
 #define COMMAND_LINE_READ_OPTIONS_H
 
+#include "run_program.h"
+
 #include <boost/program_options.hpp>
 
 #include <cmath>
 #include <cstddef>
 #include <cstdlib>
+#include <filesystem>
+#include <iostream>
 #include <stdexcept>
 #include <string>
 #include <vector>
@@ -45,6 +49,14 @@ inline void check_values(const boost::program_options::parsed_options& parsed)
         reject_option(option.string_key, "a value must follow, in place of " + word);
 }
 
+// Prints the version, as all programs do when asked with --version, wherever it stands.
+[[noreturn]] inline void print_version(const std::string& command)
+{
+  std::cout << std::filesystem::path(command).filename().string() << " (Approximate Geodesics) "
+            << APPROXIMATE_GEODESICS_VERSION << std::endl; // which fails here if at all
+  throw Answered();
+}
+
 // Reads the options, whose names cannot be abbreviated, and the name of the mesh, or of another
 // kind of input, which comes without an option. It may be missing only if `help` is asked for, or
 // the option `substitute` is given.
@@ -59,7 +71,8 @@ read_options(const int argc,
   namespace po = boost::program_options;
   po::options_description all;
   std::vector<std::string> inputs;
-  all.add(description).add_options()(kind.c_str(), po::value(&inputs), "the input");
+  all.add(description)
+      .add_options()("version", po::bool_switch())(kind.c_str(), po::value(&inputs), "the input");
   po::positional_options_description positions;
   positions.add(kind.c_str(), -1);
 
@@ -84,6 +97,8 @@ read_options(const int argc,
     throw;
   }
   po::notify(result);
+  if(result["version"].as<bool>())
+    print_version(argv[0]);
   if(inputs.size() > 1)
     throw std::invalid_argument("more than one " + kind + " is given: " + inputs[0] + " and " +
                                 inputs[1]);
@@ -112,6 +127,17 @@ number_from_0(const std::string& option, const std::string& text, const bool may
   if(result < 0 || (!may_be_infinite && std::isinf(result)))
     reject_option(option, "it is " + text + ", and must be a number that is not negative" +
                               (may_be_infinite ? "" : ", nor infinite"));
+  return result;
+}
+
+// An error bound. Above 1, a percentage has mostly been meant.
+inline double error_bound(const std::string& option, const std::string& text)
+{
+  const double result = number_from_0(option, text, false);
+  if(result > 1)
+    reject_option(option, "it is " + text +
+                              ", which would let paths be more than twice as long as "
+                              "the shortest ones; 0.05 stands for 5 %");
   return result;
 }
 

@@ -3,7 +3,6 @@
 
 #include <cstddef>
 #include <cstdint>
-#include <numeric>
 #include <optional>
 #include <random>
 #include <stdexcept>
@@ -71,17 +70,17 @@ inline void check_number_of_vertices(const std::size_t wanted, const std::size_t
     throw std::invalid_argument("the mesh has " + std::to_string(number_of_vertices) + " vertices");
 }
 
-// `number` of `size` vertices, all of them different, and the same with every standard library.
-inline std::vector<std::uint64_t>
-random_vertices(const std::size_t size, const std::size_t number, std::mt19937_64& random)
+// `number` of the vertices, all of them different, and the same with every standard library.
+inline std::vector<std::uint64_t> random_vertices(std::vector<std::uint64_t> vertices,
+                                                  const std::size_t number,
+                                                  std::mt19937_64& random)
 {
+  const std::size_t size = vertices.size();
   check_number_of_vertices(number, size);
-  std::vector<std::uint64_t> result(size);
-  std::iota(result.begin(), result.end(), std::uint64_t(0));
   for(std::size_t i = 0; i < number; ++i)
-    std::swap(result[i], result[i + random() % (size - i)]);
-  result.resize(number);
-  return result;
+    std::swap(vertices[i], vertices[i + random() % (size - i)]);
+  vertices.resize(number);
+  return vertices;
 }
 
 #endif // COMMAND_LINE_VERTEX_NUMBERS_H

@@ -42,6 +42,7 @@ struct Options
   Levels isolines;
   Levels offsets;
   bool draws = false;
+  bool has_uniform_colors = false;
   std::vector<std::string> view; // azimuth, elevation, axis
   bool compares = false;
   bool prints_statistics = false;

@@ -31,31 +31,38 @@ public:
                                   "folder, add one, as in folder/bunny");
     if(options.draws)
       check_drawing_programs();
-    for(const std::string& file : names())
-      check_is_not_read(file);
+    for(const char* const ending : ALL_ENDINGS) // what is not written goes
+      check_is_not_read(name(ending));
     if(!options.graph_to_save.empty())
     {
       check_is_not_read(options.graph_to_save);
-      for(const std::string& file : names())
-        if(is_same(file, options.graph_to_save))
-          reject_option("save-graph", file + " is a file of --output, too");
+      for(const char* const ending : ALL_ENDINGS)
+        if(is_same(name(ending), options.graph_to_save))
+          reject_option("save-graph", name(ending) + " is a file of --output, too");
       check("save-graph", options.graph_to_save);
     }
     for(const std::string& file : names())
       check("output", file);
+    for(const std::string& file : names_of_others())
+      if(std::filesystem::exists(file) && !options.overwrites)
+        reject_option("output", file + " exists, of an earlier run; --force removes it");
+      else if(std::filesystem::exists(file))
+        m_removed.push_back(file);
   }
 
   // Writes all of them, or none. `save_graph(out)` writes the graph.
   template <typename SaveGraph>
-  void write(const Mesh& mesh, const Results& results, const SaveGraph save_graph) const
+  void write(const Mesh_of_file& mesh, const Results& results, const SaveGraph save_graph) const
   {
     const auto with = [&](const auto write_results) {
       return [&, write_results](std::ostream& out) { write_results(out, results); };
     };
     New_files files(m_options.overwrites);
-    files.write(name(".ply"), [&](std::ostream& out) { write_ply(out, mesh, results); });
+    files.write(name(".ply"), [&](std::ostream& out) {
+      write_ply(out, mesh.mesh, results, m_options.has_uniform_colors);
+    });
     const std::string surface =
-        files.write(name(".vtp"), [&](std::ostream& out) { write_vtp(out, mesh, results); });
+        files.write(name(".vtp"), [&](std::ostream& out) { write_vtp(out, mesh.mesh, results); });
     const std::string paths = files.write(name("_paths.vtp"), with(write_paths_vtp));
     if(!m_options.targets.empty())
       files.write(name(".polylines.txt"), with(write_polylines));
@@ -73,7 +80,9 @@ public:
     if(!m_options.graph_to_save.empty())
       files.write(m_options.graph_to_save, save_graph);
     if(m_options.draws)
-      draw_picture({surface, paths, files.add(name(".png"))}, m_options.view);
+      draw_picture({surface, paths, files.add(name(".png"))}, m_options);
+    for(const std::string& file : m_removed)
+      files.remove(file);
     files.put_in_place();
   }
 
@@ -85,9 +94,8 @@ public:
     if(!m_options.graph_to_save.empty())
       out << ' ' << m_options.graph_to_save;
     out << '\n';
-    for(const char* const ending : ALL_ENDINGS)
-      if(std::filesystem::exists(name(ending)) && !contains(names(), name(ending)))
-        out << "Of an earlier run: " << name(ending) << '\n';
+    for(const std::string& file : m_removed)
+      out << "Removed, as it was of an earlier run: " << file << '\n';
   }
 
 private:
@@ -153,7 +161,19 @@ private:
     return result;
   }
 
+  // Those that this call does not write: of an earlier run, they would pass for results of this
+  // one.
+  std::vector<std::string> names_of_others() const
+  {
+    std::vector<std::string> result;
+    for(const char* const ending : ALL_ENDINGS)
+      if(!contains(names(), name(ending)))
+        result.push_back(name(ending));
+    return result;
+  }
+
   const Options& m_options;
+  std::vector<std::string> m_removed;
 };
 
 #endif // GEODESIC_DISTANCES_OUTPUT_FILES_H

@@ -32,7 +32,8 @@
 struct Place
 {
   std::string name; // as it was given, or the index of a random vertex
-  CGAL::Approximate_geodesics::Surface_point<Mesh> point;
+  std::vector<CGAL::Approximate_geodesics::Surface_point<Mesh>>
+      points; // copies of a vertex, or one
 };
 
 // The curve through some places, which is closed if the last one is the first one.
@@ -41,7 +42,7 @@ curve_through(const std::vector<Place>& places)
 {
   CGAL::Approximate_geodesics::Source_curve<Mesh> result;
   for(const Place& place : places)
-    result.points.push_back(place.point);
+    result.points.push_back(place.points.front());
   result.is_closed = places.size() > 2 && places.front().name == places.back().name;
   if(result.is_closed)
     result.points.pop_back();
@@ -74,26 +75,32 @@ public:
   }
 
   // The mesh is referred to, not copied.
-  Place_finder(const Mesh& mesh, const std::uint64_t seed) : m_mesh(mesh), m_random(seed) {}
+  Place_finder(const Mesh_of_file& mesh, const std::uint64_t seed)
+    : m_file(mesh), m_mesh(mesh.mesh), m_random(seed)
+  {
+  }
 
   std::vector<Place> find(const std::string& option, const std::vector<std::string>& names)
   {
     std::vector<Place> result;
     for(const std::string& name : names)
       name_in_errors(option + ' ' + name, [&] {
+        const auto add_vertex = [&](const std::size_t v) {
+          result.push_back(vertex(option + ' ' + name, v));
+        };
         if(const auto file = text_after("file", name))
-          for(const auto v : checked_indices(listed_vertices(*file), m_mesh.number_of_vertices()))
-            result.push_back(vertex(v));
+          for(const auto v : checked_indices(listed_vertices(*file), m_file.vertices.number()))
+            add_vertex(v);
         else if(const auto polyline = text_after("polyline", name))
           for(const Point& p : points_of_polyline(*polyline))
-            result.push_back({text_of(p), nearest(option + ' ' + name, p)});
+            result.push_back({text_of(p), {nearest(option + ' ' + name, p)}});
         else if(const auto point = coordinates(name))
-          result.push_back({name, nearest(option + ' ' + name, *point)});
+          result.push_back({name, {nearest(option + ' ' + name, *point)}});
         else if(const auto number = number_after("random", name))
-          for(const auto v : random_vertices(m_mesh.number_of_vertices(), *number, m_random))
-            result.push_back(vertex(v));
+          for(const auto v : random_vertices(vertices_with_faces(m_file), *number, m_random))
+            add_vertex(v);
         else
-          result.push_back(vertex(to_vertex_index(name)));
+          add_vertex(to_vertex_index(name));
       });
     return result;
   }
@@ -151,10 +158,17 @@ private:
     return Point(x, y, z);
   }
 
-  Place vertex(const std::size_t index) const
+  // Tells if no path can begin or end there.
+  Place vertex(const std::string& name, const std::size_t index) const
   {
-    check_vertex_index(index, m_mesh.number_of_vertices());
-    return {std::to_string(index), Mesh::Vertex_index(static_cast<Mesh::size_type>(index))};
+    check_vertex_index(index, m_file.vertices.number());
+    if(!m_file.has_faces(index))
+      std::clog << name << ": vertex " << index
+                << " has no faces, so no path leads from or to it.\n";
+    Place result{std::to_string(index), {}};
+    for(const std::size_t v : m_file.vertices.vertices(index))
+      result.points.emplace_back(Mesh::Vertex_index(static_cast<Mesh::size_type>(v)));
+    return result;
   }
 
   // Tells if the point is not on the surface.
@@ -175,6 +189,7 @@ private:
     return result;
   }
 
+  const Mesh_of_file& m_file;
   const Mesh& m_mesh;
   std::mt19937_64 m_random;
   AABB_tree m_tree;

@@ -23,12 +23,14 @@ class Report
 public:
   std::optional<Exact_comparison> comparison;
 
-  void add_mesh(const Mesh& mesh)
+  // the vertices are those of the file
+  void add_mesh(const Mesh_of_file& mesh, const double seconds_to_read)
   {
-    m_table.add("vertices", mesh.number_of_vertices());
-    m_table.add("edges", mesh.number_of_edges());
-    m_table.add("faces", mesh.number_of_faces());
-    m_table.add("connected components", number_of_components(mesh));
+    m_table.add("vertices", mesh.vertices.number());
+    m_table.add("edges", mesh.mesh.number_of_edges());
+    m_table.add("faces", mesh.mesh.number_of_faces());
+    m_table.add("connected components", number_of_components(mesh.mesh));
+    m_table.add_milliseconds("reading the mesh", seconds_to_read);
   }
 
   void add_times(const double seconds_to_build, const double seconds_to_search)
@@ -72,13 +74,13 @@ public:
     m_table.add("bytes per vertex", double(bytes) / double(number_of_vertices));
   }
 
-  // infinite distances are those of vertices not reached
-  void add_distances(const std::vector<double>& distances)
+  // of the first vertices; infinite distances are those of vertices not reached
+  void add_distances(const std::vector<double>& distances, const std::size_t number_of_vertices)
   {
     double smallest = 0, largest = 0, sum = 0;
     std::size_t number_reached = 0;
-    for(const double distance : distances)
-      if(std::isfinite(distance))
+    for(std::size_t i = 0; i < number_of_vertices; ++i)
+      if(const double distance = distances[i]; std::isfinite(distance))
       {
         smallest = (std::min)(smallest, distance);
         largest = (std::max)(largest, distance);
@@ -105,12 +107,13 @@ public:
   {
     if(paths.empty())
       return;
-    const auto row = [&](const std::string& target, const std::string& source) -> std::ostream& {
-      return out << std::left << std::setw(24) << target << ' ' << std::setw(24) << source << ' ';
+    const auto row = [&](const std::string& source, const std::string& target) -> std::ostream& {
+      return out << std::left << std::setw(24) << source << ' ' << std::setw(24) << target << ' ';
     };
-    row("\ntarget", " nearest source") << " length\n";
+    out << '\n';
+    row("from source", "to target") << "length\n";
     for(const Path_result& path : paths)
-      row(path.target, path.source.empty() ? "none" : path.source)
+      row(path.source.empty() ? "none" : path.source, path.target)
           << std::setprecision(12) << path.length << '\n';
   }
 

@@ -65,6 +65,21 @@ public:
     add_array(m_of_cells, name, numbers);
   }
 
+  // The same, of texts: zeros behind them are their ends.
+  void add_texts_of_cells(const std::string& name, const std::vector<std::string>& texts)
+  {
+    std::string codes;
+    for(const std::string& text : texts)
+    {
+      for(const char c : text)
+        codes += std::to_string(static_cast<unsigned char>(c)) + ' ';
+      codes += "0 ";
+    }
+    m_of_cells.text += "<DataArray type=\"String\" Name=\"" + name + "\" NumberOfTuples=\"" +
+                       std::to_string(texts.size()) + "\" format=\"ascii\">\n" + codes +
+                       "\n</DataArray>\n";
+  }
+
   void write(std::ostream& out)
   {
     const std::string points = array("points", coordinates, 3);

@@ -28,7 +28,8 @@ struct Question
 {
   const Options& options;
   const Output_files& files;
-  Mesh mesh;
+  Mesh_of_file mesh;
+  double seconds_to_read;
   std::vector<Place> sources;
   std::vector<Place> targets;
 };
@@ -74,7 +75,7 @@ inline void add_comparison(const Question& question, const Results& results, Rep
 {
   const Progress progress("Computing the exact distances");
   report.comparison =
-      compare_with_exact_distances(question.mesh, question.sources, results.distances);
+      compare_with_exact_distances(question.mesh.mesh, question.sources, results.distances);
 }
 
 // Where there is no path, the table could be overlooked.
@@ -117,7 +118,9 @@ void answer(const Question& question,
 {
   using Graph = decltype(make_graph());
   Report report;
-  report.add_mesh(question.mesh);
+  const Mesh& mesh = question.mesh.mesh;
+  const Sources sources(question.sources);
+  report.add_mesh(question.mesh, question.seconds_to_read);
 
   const Stopwatch stopwatch;
   Graph graph = [&] {
@@ -128,27 +131,28 @@ void answer(const Question& question,
   describe_graph(graph, report);
 
   CGAL::Approximate_geodesics::Surface_mesh_shortest_path<Mesh, Graph> shortest_paths(
-      question.mesh, std::move(graph));
+      mesh, std::move(graph));
   if(!question.options.curve.empty())
     name_in_errors("--curve",
                    [&] { shortest_paths.add_source_curve(curve_through(question.sources)); });
   else
     for(const Place& source : question.sources)
-      shortest_paths.add_source_point(source.point);
+      for(const auto& point : source.points)
+        shortest_paths.add_source_point(point);
   report.add_times(seconds_to_build, seconds_of_search(shortest_paths, question.options));
 
-  Results results = find_results(question.mesh, shortest_paths, question.sources, question.targets,
-                                 question.options);
+  Results results = find_results(mesh, shortest_paths, sources, question.targets, question.options);
   if(question.options.offsets.are_given())
   {
     const Progress progress("Following the offsets");
-    find_offsets(question.mesh, question.sources, question.options, results);
+    find_offsets(mesh, question.sources, question.options, results);
   }
-  report.add_distances(results.distances);
-  if(question.options.prints_statistics)
-    add_statistics(shortest_paths, question.options, report);
   if(question.options.compares)
     add_comparison(question, results, report);
+  unite_copies(question.mesh.vertices, results);
+  report.add_distances(results.distances, question.mesh.vertices.number());
+  if(question.options.prints_statistics)
+    add_statistics(shortest_paths, question.options, report);
   report.print(std::cout);
   Report::print_paths(results.paths, std::cout);
   std::cout.flush(); // what fails shall fail before anything is written

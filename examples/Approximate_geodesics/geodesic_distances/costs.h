@@ -6,13 +6,12 @@
 #include "../command_line/vertex_numbers.h"
 #include "Options.h"
 
-#include <CGAL/Surface_mesh/IO/PLY.h>
+#include <CGAL/Approximate_geodesics/Solver/read_soup.h>
 
+#include <array>
 #include <cmath>
 #include <cstddef>
-#include <cstdint>
 #include <cstdlib>
-#include <optional>
 #include <stdexcept>
 #include <string>
 #include <vector>
@@ -48,80 +47,68 @@ inline std::vector<double> weights_of_file(const std::string& file)
   return result;
 }
 
-template <typename Number>
-std::optional<std::vector<double>> weights_of_property(Mesh& mesh, const std::string& name)
+inline std::vector<double> weights_of_option(const Options& options)
 {
-  // returns one that exists; what `property_map()` returns differs between CGAL 5 and 6
-  const auto [property, is_new] = mesh.add_property_map<Mesh::Face_index, Number>(name);
-  if(is_new)
-    return std::nullopt;
-  std::vector<double> result;
-  for(const auto f : mesh.faces())
-    result.push_back(static_cast<double>(property[f]));
+  if(!names_property(options.weights))
+    return weights_of_file(options.weights);
+  return name_in_errors("--weights " + options.weights, [&] {
+    return CGAL::Approximate_geodesics::read_face_property(
+        options.input, options.weights.substr(prefix_of_property.size()));
+  });
+}
+
+// by face of the mesh; all are 1 if nothing else is said
+inline std::vector<double> read_weights(const Options& options, const Mesh_of_file& mesh)
+{
+  std::vector<double> result(mesh.mesh.number_of_faces(), 1);
+  if(options.weights.empty())
+    return result;
+  const std::vector<double> weights = weights_of_option(options);
+  if(weights.size() != mesh.number_of_faces)
+    throw std::invalid_argument("--weights " + options.weights + ": there are " +
+                                std::to_string(weights.size()) + " weights, and the mesh has " +
+                                std::to_string(mesh.number_of_faces) + " faces");
+  for(const auto f : mesh.mesh.faces())
+    result[f] = weights[mesh.face_of_file(f)];
   return result;
 }
 
-// Of a PLY file; it is read again, as a mesh in itself.
-inline std::vector<double> weights_of_mesh_file(const std::string& file, const std::string& name)
+// Marks the edges between two vertices of the file: there are two where the surface was cut.
+// Returns whether there are any.
+inline bool mark_edges(const Mesh_of_file& mesh,
+                       const std::array<std::size_t, 2>& ends,
+                       std::vector<bool>& marks)
 {
-  Mesh mesh;
-  std::string comments;
-  std::ifstream in = open_to_read(file, std::ios::binary);
-  if(in.get() != 'p' || in.unget().fail() || !CGAL::IO::read_PLY(in, mesh, comments))
-    throw std::invalid_argument("--weights property:" + name + ": " + file +
-                                " is not a PLY file of a mesh that needs no repair");
-  const std::string full_name = "f:" + name;
-  for(const auto& result :
-      {weights_of_property<double>(mesh, full_name), weights_of_property<float>(mesh, full_name),
-       weights_of_property<std::uint8_t>(mesh, full_name),
-       weights_of_property<std::int8_t>(mesh, full_name),
-       weights_of_property<std::uint16_t>(mesh, full_name),
-       weights_of_property<std::int16_t>(mesh, full_name),
-       weights_of_property<std::uint32_t>(mesh, full_name),
-       weights_of_property<std::int32_t>(mesh, full_name)})
-    if(result)
-      return *result;
-  throw std::invalid_argument("--weights property:" + name + ": the faces of " + file +
-                              " have no such property");
-}
-
-// by face; all are 1 if nothing else is said
-inline std::vector<double> read_weights(const Options& options, const Mesh& mesh)
-{
-  if(options.weights.empty())
-    return std::vector<double>(mesh.number_of_faces(), 1);
-  std::vector<double> result =
-      names_property(options.weights)
-          ? weights_of_mesh_file(options.input, options.weights.substr(prefix_of_property.size()))
-          : weights_of_file(options.weights);
-  if(result.size() != mesh.number_of_faces())
-    throw std::invalid_argument("--weights " + options.weights + ": there are " +
-                                std::to_string(result.size()) + " weights, and the mesh has " +
-                                std::to_string(mesh.number_of_faces()) + " faces");
+  bool result = false;
+  const auto vertex = [](const std::size_t v) { return Mesh::Vertex_index(Mesh::size_type(v)); };
+  for(const std::size_t a : mesh.vertices.vertices(ends[0]))
+    for(const std::size_t b : mesh.vertices.vertices(ends[1]))
+    {
+      const auto h = mesh.mesh.halfedge(vertex(a), vertex(b));
+      if(h != Mesh::null_halfedge())
+        result = marks[mesh.mesh.edge(h)] = true;
+    }
   return result;
 }
 
 // by edge
-inline std::vector<bool> read_barriers(const Options& options, const Mesh& mesh)
+inline std::vector<bool> read_barriers(const Options& options, const Mesh_of_file& mesh)
 {
-  std::vector<bool> result(mesh.number_of_edges(), false);
+  std::vector<bool> result(mesh.mesh.number_of_edges(), false);
   if(options.barriers.empty())
     return result;
   for_each_line("--barriers", options.barriers, [&](const std::vector<std::string>& words) {
-    if(words.size() != 2)
+    std::array<std::size_t, 2> ends{};
+    if(words.size() != ends.size())
       throw std::invalid_argument("the indices of two vertices are needed");
-    std::vector<Mesh::Vertex_index> ends;
-    for(const std::string& word : words)
+    for(std::size_t i = 0; i < ends.size(); ++i)
     {
-      const std::size_t index = to_vertex_index(word);
-      check_vertex_index(index, mesh.number_of_vertices());
-      ends.emplace_back(static_cast<Mesh::size_type>(index));
+      ends[i] = to_vertex_index(words[i]);
+      check_vertex_index(ends[i], mesh.vertices.number());
     }
-    const auto h = mesh.halfedge(ends[0], ends[1]);
-    if(h == Mesh::null_halfedge())
+    if(!mark_edges(mesh, ends, result))
       throw std::invalid_argument("there is no edge between the vertices " + words[0] + " and " +
                                   words[1]);
-    result[mesh.edge(h)] = true;
   });
   return result;
 }

@@ -18,7 +18,8 @@ inline po::options_description describe_points(Options& options)
   po::options_description_easy_init add = result.add_options();
   add("sources,s",
       po::value(&options.sources)->multitoken()->default_value({"0"}, "0")->value_name("P ..."),
-      "where to start. P is the index of a vertex, counted from 0 in the order of the file; or "
+      "where to start. P is the index of a vertex, counted from 0 in the order of the file, "
+      "whatever had to be repaired in that; or "
       "x,y,z for the nearest point of the surface; random:K for K random vertices; or file:NAME "
       "for the vertices whose indices a text file lists, with comments after #");
   add("curve", po::value(&options.curve)->multitoken()->value_name("P ..."),
@@ -30,7 +31,8 @@ inline po::options_description describe_points(Options& options)
       "let distances be negative to the left of the curve, which has to be closed, or to end at "
       "borders");
   add("targets,t", po::value(&options.targets)->multitoken()->value_name("P ..."),
-      "where paths from the nearest source shall lead to, given likewise");
+      "where paths from the nearest source shall lead to, given likewise. They begin at the "
+      "source");
   add("seed", text_option("N"), "what random vertices depend on (default: 0)");
   return result;
 }
@@ -41,14 +43,16 @@ inline po::options_description describe_paths(Options& options)
   po::options_description_easy_init add = result.add_options();
   add("epsilon,e", text_option("E"),
       "let paths run across faces, and be at most 1 + E times as long as the shortest ones on the "
-      "surface; 0 gives the shortest ones (default: along edges, without a bound)");
+      "surface, for E up to 1: 0.05 stands for 5 %; 0 gives the shortest ones (default: along "
+      "edges, without a bound)");
   add("maximum-distance,m", text_option("D"),
       "do not go farther than this, in the unit of the mesh's coordinates");
   add("straighten", po::bool_switch(&options.straightens),
       "make the paths to the targets locally shortest ones");
   add("weights,w", po::value(&options.weights)->value_name("FILE"),
       "what a path costs per unit of length, in each face: a file with a number per face, in the "
-      "order of the mesh; or property:NAME, a property of the faces in a PLY mesh. 0 makes a face "
+      "order of the mesh's file; or property:NAME, a property of the faces in a PLY mesh. 0 makes "
+      "a face "
       "free, inf forbidden. Distances are costs then; needs --epsilon");
   add("barriers,b", po::value(&options.barriers)->value_name("FILE"),
       "edges that paths may not cross: a file with the indices of two vertices per line; needs "
@@ -69,9 +73,12 @@ inline po::options_description describe_output(Options& options)
   po::options_description_easy_init add = result.add_options();
   add("output,o",
       po::value(&options.output)->default_value("geodesic_distances")->value_name("NAME"),
-      "what the names of the files written begin with, such as folder/bunny");
+      "what the names of the files written begin with, such as folder/bunny. One that ends like "
+      "such "
+      "a file, as bunny.ply or bunny.csv, stands for the part before, and asks for that file");
   add("force,f", po::bool_switch(&options.overwrites),
-      "replace files that exist. They stay as they are if anything fails");
+      "replace files that exist, and remove those of an earlier run that this one does not write. "
+      "They stay as they are if anything fails");
   add("csv", po::bool_switch(&options.writes_table), "write NAME.csv, too");
   add("isolines,i", texts_option("D ..."),
       "write lines at these distances; or, for count:K, at K that are spread evenly; or, for "
@@ -80,6 +87,9 @@ inline po::options_description describe_output(Options& options)
       "write the curves at these exact distances from the sources, likewise; needs --epsilon 0");
   add("picture,p", po::bool_switch(&options.draws),
       "draw distances and paths into NAME.png (needs xvfb-run and VTK for Python)");
+  add("colors", po::value<std::string>()->default_value("rainbow")->value_name("rainbow|uniform"),
+      "the colors of NAME.ply and NAME.png, from near to far: from blue over green to red, or from "
+      "dark violet to light yellow, in which equal differences look equal");
   add("view", texts_option("A E U"),
       "where the picture is seen from: azimuth and elevation in degrees, and the axis that points "
       "up (default: 0 0 y)");
@@ -90,7 +100,8 @@ inline po::options_description describe_rest(Options& options)
 {
   po::options_description result = make_group("Other options");
   po::options_description_easy_init add = result.add_options();
-  add("help,h", po::bool_switch(&options.asks_for_help), "print this text");
+  add("help,h", po::bool_switch(&options.asks_for_help),
+      "print this text; --version prints the version");
   add("statistics", po::bool_switch(&options.prints_statistics),
       "print what the search did: pops, relaxations, buckets");
   add("compare,c", po::bool_switch(&options.compares),
@@ -115,15 +126,19 @@ inline void print_help(const po::options_description& description)
       << "Usage: geodesic_distances MESH [options]\n\n"
          "Finds the distance on a triangle mesh from the nearest source to every vertex, and the\n"
          "shortest paths to some targets: along edges, or across faces within an error bound.\n\n"
-         "MESH is an OFF, OBJ, STL, PLY or GOCAD file. Printed are the size of the mesh, the\n"
-         "time taken, the range of the distances, and the length of the path to each target.\n"
-         "Written are\n"
-         "  NAME.vtp             the mesh with distance and nearest source of every vertex, for\n"
+         "MESH is an OFF, OBJ, STL, PLY or GOCAD file. What is no surface in it is repaired, "
+         "which\n"
+         "is told. Vertices and faces keep their numbers; vertices in the same place have the "
+         "same\n"
+         "distance. Printed are the size of the mesh, the time taken, the range of the distances,\n"
+         "and the length of the path to each target, in the unit of the coordinates. Written are\n"
+         "  NAME.vtp             the mesh with distance and nearest_source of every vertex, for\n"
          "                       ParaView and f3d --scalars; NaN and -1 where no source reaches,\n"
          "  NAME.ply             the same for MeshLab and others: distance, also as quality, and\n"
-         "                       a color, from blue (near) over green to red (far),\n"
+         "                       a color,\n"
          "  NAME_paths.vtp       the sources as points, and the paths as lines with their "
          "lengths,\n"
+         "                       from the source to the target,\n"
          "and, if asked for,\n"
          "  NAME.polylines.txt   for targets: a path per line, the number of points, then their\n"
          "                       coordinates; inf where there is no path,\n"
@@ -131,9 +146,11 @@ inline void print_help(const po::options_description& description)
          "  NAME_offsets.vtp     the offset curves with their distances, the sources on their "
          "left,\n"
          "  NAME_offsets.polylines.txt   the same, a curve per line,\n"
-         "  NAME.csv             a line per vertex: index, coordinates, distance, nearest "
-         "source,\n"
+         "  NAME.csv             a line per vertex of the file: index, coordinates, distance (inf\n"
+         "                       where no source reaches), nearest_source,\n"
          "  NAME.png             a picture, with isolines at round distances.\n"
+         "nearest_source is the position of the source among all --sources, counted from 0, as in\n"
+         "NAME_paths.vtp, which has their names, too.\n"
       << description
       << "\nThe exit status is 1, with a message on standard error, if something was refused or\n"
          "failed, and else 0: that a target is not reached is an answer, too. Either all files "

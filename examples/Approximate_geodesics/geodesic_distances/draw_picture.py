@@ -1,11 +1,12 @@
 #!/usr/bin/python3
 """Draws distances on a mesh, and paths, into a PNG picture.
 
-Usage: draw_picture.py SURFACE PATHS PICTURE [AZIMUTH ELEVATION UP]
+Usage: draw_picture.py SURFACE PATHS PICTURE [AZIMUTH ELEVATION UP [COLORS [TITLE]]]
 
 Reads two VTP files: SURFACE (triangles with a scalar "distance" per point, NaN where there is none) and
-PATHS (lines are paths; single points are the sources). Writes PICTURE, a PNG file. The camera looks from
-AZIMUTH and ELEVATION, in degrees; UP is the axis that points up: x, y or z.
+PATHS (lines are paths, which end at the targets; single points are the sources; texts "name" are the names
+of both). Writes PICTURE, a PNG file. The camera looks from AZIMUTH and ELEVATION, in degrees; UP is the axis
+that points up: x, y or z. COLORS are rainbow or uniform. TITLE says what the numbers are.
 
 Needs VTK (Debian: python3-vtk9), and a display or a substitute for one (Debian: xvfb).
 """
@@ -18,13 +19,27 @@ import vtk
 SIZE = (1600, 1200)
 MOST_TICKS = 8
 ISOLINES_PER_TICK = 4
-COLORS = [  # near to far
-    (0.00, (0.16, 0.30, 0.92)),
-    (0.25, (0.10, 0.72, 0.90)),
-    (0.50, (0.36, 0.82, 0.36)),
-    (0.75, (1.00, 0.84, 0.18)),
-    (1.00, (0.90, 0.16, 0.12)),
-]
+MOST_LABELS = 20
+COLORS = {  # near to far, in equal steps: those of colors.h
+    "rainbow": [
+        (0.16, 0.30, 0.92),
+        (0.10, 0.72, 0.90),
+        (0.36, 0.82, 0.36),
+        (1.00, 0.84, 0.18),
+        (0.90, 0.16, 0.12),
+    ],
+    "uniform": [
+        (0.23, 0.09, 0.27),
+        (0.25, 0.20, 0.41),
+        (0.23, 0.32, 0.52),
+        (0.18, 0.44, 0.59),
+        (0.18, 0.56, 0.62),
+        (0.31, 0.67, 0.62),
+        (0.51, 0.76, 0.60),
+        (0.73, 0.84, 0.59),
+        (0.95, 0.90, 0.63),
+    ],
+}
 GRAY, DARK, WHITE = (0.72, 0.72, 0.72), (0.10, 0.10, 0.12), (1.0, 1.0, 1.0)
 
 
@@ -33,6 +48,15 @@ def read(name):
     reader.SetFileName(name)
     reader.Update()
     return reader.GetOutput()
+
+
+def without_unused_points(surface):
+    """Vertices without faces, which could be far away, do not count for the view."""
+    clean = vtk.vtkCleanPolyData()
+    clean.SetInputData(surface)
+    clean.PointMergingOff()
+    clean.Update()
+    return clean.GetOutput()
 
 
 def mark_unreached(surface):
@@ -44,11 +68,11 @@ def mark_unreached(surface):
     surface.GetPointData().SetActiveScalars("distance")
 
 
-def color_map(farthest):
+def color_map(farthest, name="rainbow"):
     """A finely sampled table, so that the bar beside the picture is smooth."""
     function = vtk.vtkColorTransferFunction()
-    for position, color in COLORS:
-        function.AddRGBPoint(position * farthest, *color)
+    for i, color in enumerate(COLORS[name]):
+        function.AddRGBPoint(farthest * i / (len(COLORS[name]) - 1), *color)
     table = vtk.vtkLookupTable()
     table.SetNumberOfTableValues(1024)
     table.SetRange(0, farthest)
@@ -149,10 +173,69 @@ def selected_points(scene, cells, pick):
     return result
 
 
+def set_font(text, size):
+    text.SetColor(*DARK)
+    text.SetFontFamilyToArial()
+    text.SetFontSize(size)
+    text.ItalicOff()
+    text.BoldOff()
+    text.ShadowOff()
+
+
+def label(point, text, toward, shift):
+    """A text beside a ball, and before it. Where the surface hides the ball, it hides the text."""
+    actor = vtk.vtkBillboardTextActor3D()
+    distance = math.dist(point, toward)
+    actor.SetPosition(*(p + (q - p) * shift / distance for p, q in zip(point, toward)))
+    actor.SetInput(text)
+    actor.SetDisplayOffset(18, 8)
+    style = actor.GetTextProperty()
+    set_font(style, 24)
+    style.SetBackgroundColor(1, 1, 1)
+    style.SetBackgroundOpacity(0.7)
+    return actor
+
+
+def names_of(scene):
+    """The names of the cells: points first, then lines."""
+    names = scene.GetCellData().GetAbstractArray("name")
+    return [names.GetValue(i) for i in range(names.GetNumberOfValues())] if names else []
+
+
+def add_labels(renderer, scene, unit):
+    """The names of sources and targets, unless they are so many that they would hide the surface."""
+    names = names_of(scene)
+    number_of_sources = scene.GetNumberOfVerts()
+    for kind, points, some_names in (
+        ("source", sources_of(scene), names[:number_of_sources]),
+        ("target", targets_of(scene), names[number_of_sources:]),
+    ):
+        if len(some_names) <= MOST_LABELS:
+            for i, name in enumerate(some_names):
+                viewer = renderer.GetActiveCamera().GetPosition()
+                renderer.AddActor(label(points.GetPoint(i), f"{kind} {name}", viewer, 0.03 * unit))
+
+
+def sources_of(scene):
+    return selected_points(scene, scene.GetVerts(), lambda size: 0)
+
+
+def targets_of(scene):
+    return selected_points(scene, scene.GetLines(), lambda size: size - 1)
+
+
+def caption(text):
+    actor = vtk.vtkTextActor()
+    actor.SetInput(text)
+    set_font(actor.GetTextProperty(), 26)
+    actor.SetPosition(24, 20)
+    return actor
+
+
 def color_bar(colors):
     bar = vtk.vtkScalarBarActor()
     bar.SetLookupTable(colors)
-    bar.SetTitle("distance\n")
+    bar.SetTitle("")
     step = tick_step(colors.GetRange()[1])
     ticks = vtk.vtkDoubleArray()
     for i in range(math.floor(colors.GetRange()[1] / step + 1e-6) + 1):  # rounding
@@ -167,12 +250,7 @@ def color_bar(colors):
     bar.SetHeight(0.60)
     bar.SetUnconstrainedFontSize(True)
     for text in (bar.GetTitleTextProperty(), bar.GetLabelTextProperty()):
-        text.SetColor(*DARK)
-        text.SetFontFamilyToArial()
-        text.SetFontSize(26)
-        text.ItalicOff()
-        text.BoldOff()
-        text.ShadowOff()
+        set_font(text, 26)
     return bar
 
 
@@ -195,10 +273,10 @@ def place_camera(renderer, azimuth, elevation, up):
     renderer.ResetCameraClippingRange()
 
 
-def make_renderer(surface, scene):
+def make_renderer(surface, scene, color_name, title):
     mark_unreached(surface)
     farthest = max(surface.GetPointData().GetScalars().GetRange()[1], 0) or 1
-    colors = color_map(farthest)
+    colors = color_map(farthest, color_name)
     unit = surface.GetLength()
 
     renderer = vtk.vtkRenderer()
@@ -206,11 +284,10 @@ def make_renderer(surface, scene):
     renderer.AddActor(surface_actor(surface, colors))
     renderer.AddActor(isoline_actor(surface, farthest, 0.0007 * unit))
     renderer.AddActor(path_actor(scene, 0.0035 * unit))
-    ends = selected_points(scene, scene.GetLines(), lambda size: 0)
-    renderer.AddActor(balls_actor(ends, 0.008 * unit, WHITE))
-    sources = selected_points(scene, scene.GetVerts(), lambda size: 0)
-    renderer.AddActor(balls_actor(sources, 0.011 * unit, DARK))
+    renderer.AddActor(balls_actor(targets_of(scene), 0.008 * unit, WHITE))
+    renderer.AddActor(balls_actor(sources_of(scene), 0.011 * unit, DARK))
     renderer.AddActor2D(color_bar(colors))
+    renderer.AddActor2D(caption(f"{title}. Dark: sources; white: targets, and paths to them"))
     return renderer
 
 
@@ -234,13 +311,27 @@ def save(renderer, size, filename, others=()):
         sys.exit(f"cannot write {filename}: {reason}")
 
 
-def main(surface, paths, picture, azimuth="0", elevation="0", up="y"):
-    renderer = make_renderer(read(surface), read(paths))
+def main(
+    surface,
+    paths,
+    picture,
+    azimuth="0",
+    elevation="0",
+    up="y",
+    colors="rainbow",
+    title="Distance, in the unit of the coordinates",
+):
+    mesh, scene = without_unused_points(read(surface)), read(paths)
+    renderer = make_renderer(mesh, scene, colors, title)
     place_camera(renderer, float(azimuth), float(elevation), up)
+    renderer.GetActiveCamera().Zoom(0.95)
+    renderer.GetActiveCamera().SetWindowCenter(0.07, -0.04)  # leaves room for bar and caption
+    add_labels(renderer, scene, mesh.GetLength())
+    renderer.ResetCameraClippingRange()
     save(renderer, SIZE, picture)
 
 
 if __name__ == "__main__":
-    if not 4 <= len(sys.argv) <= 7:
+    if not 4 <= len(sys.argv) <= 9:
         sys.exit(__doc__)
     main(*sys.argv[1:])

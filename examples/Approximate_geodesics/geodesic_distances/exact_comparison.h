@@ -33,7 +33,7 @@ inline std::vector<double> exact_distances(const Mesh& mesh, const std::vector<P
 {
   std::vector<CGAL::Approximate_geodesics::Surface_point<Mesh>> sources;
   for(const Place& place : places)
-    sources.push_back(place.point);
+    sources.insert(sources.end(), place.points.begin(), place.points.end());
   std::vector<double> result(mesh.num_vertices());
   CGAL::approximate_geodesic_distances(
       mesh, boost::make_iterator_property_map(result.begin(), get(boost::vertex_index, mesh)),
@@ -58,13 +58,17 @@ inline Exact_comparison compare_with_exact_distances(const Mesh& mesh,
   stopwatch.restart();
   CGAL::Surface_mesh_shortest_path<Traits> exact(mesh);
   for(const Place& source : sources)
-    exact.add_source_point(std::get<Mesh::Vertex_index>(source.point));
+    for(const auto& point : source.points)
+      if(!mesh.is_isolated(std::get<Mesh::Vertex_index>(point))) // which CGAL's class does not take
+        exact.add_source_point(std::get<Mesh::Vertex_index>(point));
   exact.build_sequence_tree();
   result.seconds = stopwatch.seconds();
   result.smallest_error = std::numeric_limits<double>::infinity();
   std::size_t count = 0;
   for(const auto v : vertices(mesh))
   {
+    if(mesh.is_isolated(v))
+      continue;
     const double distance = exact.shortest_distance_to_source_points(v).first;
     if(!(distance > 0))
       continue; // a source, or not connected with one

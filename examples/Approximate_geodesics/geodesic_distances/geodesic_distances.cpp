@@ -1,6 +1,7 @@
 // Distances and shortest paths on a mesh, from the command line: see --help.
 
 #include "../command_line/Progress.h"
+#include "../command_line/Stopwatch.h"
 #include "../command_line/files.h"
 #include "../command_line/lines_of_file.h"
 #include "../command_line/read_mesh.h"
@@ -50,7 +51,7 @@ void answer_with_loaded_graph(const Question& question)
       [&] {
         return name_in_errors("--load-graph " + file, [&] {
           std::ifstream in = open_to_read(file, std::ios::binary);
-          return Discrete_geodesic_graph::load(in, Intrinsic_triangulation(question.mesh));
+          return Discrete_geodesic_graph::load(in, Intrinsic_triangulation(question.mesh.mesh));
         });
       },
       [](const auto& graph, Report& report) { report.add_bound(graph.epsilon()); });
@@ -70,14 +71,14 @@ void answer_within_bound(const Question& question)
     return answer(
         question,
         [&] {
-          return Lazy_discrete_geodesic_graph(Intrinsic_triangulation(question.mesh),
+          return Lazy_discrete_geodesic_graph(Intrinsic_triangulation(question.mesh.mesh),
                                               parameters::epsilon(epsilon));
         },
         describe_arcs);
   answer(
       question,
       [&] {
-        return Discrete_geodesic_graph(Intrinsic_triangulation(question.mesh),
+        return Discrete_geodesic_graph(Intrinsic_triangulation(question.mesh.mesh),
                                        parameters::epsilon(epsilon));
       },
       describe_arcs,
@@ -92,13 +93,11 @@ void answer_with_costs(const Question& question, const NamedParameters& np)
       [&] {
         try
         {
-          return Steiner_graph<>(Intrinsic_triangulation(question.mesh, np), np);
+          return Steiner_graph<>(Intrinsic_triangulation(question.mesh.mesh, np), np);
         }
         catch(const std::length_error& e)
         {
-          throw std::invalid_argument("--epsilon " + std::to_string(*question.options.epsilon) +
-                                      ": " + e.what() +
-                                      " (on the command line: --accept-weaker-bound)");
+          throw std::invalid_argument(std::string("--epsilon: ") + e.what());
         }
       },
       [&](const auto& graph, Report& report) {
@@ -109,9 +108,9 @@ void answer_with_costs(const Question& question, const NamedParameters& np)
 
 void answer_with_costs(const Question& question)
 {
-  const Mesh& mesh = question.mesh;
-  const std::vector<double> weights = read_weights(question.options, mesh);
-  const std::vector<bool> barriers = read_barriers(question.options, mesh);
+  const Mesh& mesh = question.mesh.mesh;
+  const std::vector<double> weights = read_weights(question.options, question.mesh);
+  const std::vector<bool> barriers = read_barriers(question.options, question.mesh);
   const auto np = parameters::epsilon(*question.options.epsilon)
                       .accept_weaker_bound(question.options.accepts_weaker_bound)
                       .edge_is_constrained_map(boost::make_iterator_property_map(
@@ -134,11 +133,11 @@ void answer(const Question& question)
     answer_within_bound(question);
   else if(options.epsilon)
     answer(
-        question, [&] { return Saddle_vertex_graph(Intrinsic_triangulation(question.mesh)); },
+        question, [&] { return Saddle_vertex_graph(Intrinsic_triangulation(question.mesh.mesh)); },
         no_description);
   else
     answer(
-        question, [&] { return Edge_graph(Intrinsic_triangulation(question.mesh)); },
+        question, [&] { return Edge_graph(Intrinsic_triangulation(question.mesh.mesh)); },
         no_description);
 }
 
@@ -155,17 +154,16 @@ void check(const Options& options)
     check_option_file("weights", options.weights);
 }
 
-Mesh read_mesh_of(const Options& options)
-{
-  const Progress progress("Reading the mesh");
-  return read_mesh(options.input, options.weights.empty() ? Faces::ANY : Faces::OF_THE_FILE);
-}
-
 void run(const Options& options)
 {
   check(options);
   const Output_files files(options);
-  Question question{options, files, read_mesh_of(options), {}, {}};
+  const Stopwatch stopwatch;
+  Mesh_of_file mesh = [&] {
+    const Progress progress("Reading the mesh");
+    return read_mesh(options.input);
+  }();
+  Question question{options, files, std::move(mesh), stopwatch.seconds(), {}, {}};
   Place_finder finder(question.mesh, options.seed);
   question.sources = options.curve.empty() ? finder.find("--sources", options.sources)
                                            : finder.find("--curve", options.curve);

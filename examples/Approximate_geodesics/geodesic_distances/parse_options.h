@@ -137,7 +137,7 @@ inline void read_values(const po::variables_map& values, Options& options)
 {
   const auto text = [&](const char* option) { return values[option].as<std::string>(); };
   if(values.count("epsilon") > 0)
-    options.epsilon = number_from_0("epsilon", text("epsilon"), false);
+    options.epsilon = error_bound("epsilon", text("epsilon"));
   if(values.count("maximum-distance") > 0)
     options.maximum_distance = number_from_0("maximum-distance", text("maximum-distance"), true);
   if(values.count("seed") > 0)
@@ -146,6 +146,31 @@ inline void read_values(const po::variables_map& values, Options& options)
   if(options.straightens && options.targets.empty())
     reject_option("straighten", "it is for the paths to --targets");
   read_view(values, options);
+  const std::string colors = text("colors");
+  if(colors != "rainbow" && colors != "uniform")
+    reject_option("colors", '"' + colors + "\" is neither rainbow nor uniform");
+  options.has_uniform_colors = colors == "uniform";
+}
+
+// The name of a file stands for those of all files, and asks for its own.
+inline void read_output(Options& options)
+{
+  const auto ends_with = [&](const std::string& ending) {
+    const bool result = options.output.size() > ending.size() &&
+                        options.output.substr(options.output.size() - ending.size()) == ending &&
+                        options.output[options.output.size() - ending.size() - 1] != '/';
+    if(result)
+      options.output.resize(options.output.size() - ending.size());
+    return result;
+  };
+  if(ends_with(".csv"))
+    options.writes_table = true;
+  else if(ends_with(".png"))
+    options.draws = true;
+  else if(ends_with(".polylines.txt") && options.targets.empty())
+    reject_option("output", "polylines are the paths to --targets; there are none");
+  else if(!ends_with(".vtp"))
+    ends_with(".ply");
 }
 
 inline Options parse_options(const int argc, char* argv[])
@@ -157,6 +182,7 @@ inline Options parse_options(const int argc, char* argv[])
     print_help(description);
   else
   {
+    read_output(options);
     read_values(values, options);
     check_curve(values, options);
     check_costs(options);

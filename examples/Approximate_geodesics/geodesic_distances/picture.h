@@ -3,11 +3,12 @@
 
 #include "../command_line/quoted_for_shell.h"
 #include "../command_line/read_options.h"
+#include "../command_line/script_file.h"
+#include "Options.h"
 
 #include <cstdlib>
 #include <stdexcept>
 #include <string>
-#include <vector>
 
 // What is drawn, and where to.
 struct Picture
@@ -17,15 +18,24 @@ struct Picture
   std::string file;
 };
 
-// Draws with VTK, without a display. The view is the script's arguments.
-inline void draw_picture(const Picture& picture, const std::vector<std::string>& view)
+// What the numbers are, and in which unit.
+inline std::string title_of_distances(const Options& options)
 {
-  std::string command =
-      "xvfb-run --auto-servernum /usr/bin/python3 " + quoted_for_shell(DRAW_PICTURE_SCRIPT);
+  return options.weights.empty() ? "Distance, in the unit of the coordinates"
+                                 : "Cost, weights times lengths in the unit of the coordinates";
+}
+
+// Draws with VTK, without a display.
+inline void draw_picture(const Picture& picture, const Options& options)
+{
+  std::string command = "xvfb-run --auto-servernum /usr/bin/python3 " +
+                        quoted_for_shell(script_file(DRAW_PICTURE_SCRIPT));
   for(const std::string& name : {picture.surface, picture.paths, picture.file})
     command += ' ' + quoted_for_shell(name);
-  for(const std::string& word : view)
+  for(const std::string& word : options.view)
     command += ' ' + quoted_for_shell(word);
+  command += options.has_uniform_colors ? " uniform" : " rainbow";
+  command += ' ' + quoted_for_shell(title_of_distances(options));
   if(std::system(command.c_str()) != 0)
     throw std::runtime_error("no picture was drawn: what went wrong is told above");
 }

@@ -22,11 +22,12 @@
 #include <utility>
 #include <vector>
 
-// A path from a target to its nearest source.
+// A path to a target from its nearest source.
 struct Path_result
 {
-  std::string target;
   std::string source; // none, if there is no path
+  std::string target;
+  std::int64_t position_of_source = -1;
   double length = std::numeric_limits<double>::infinity();
   std::vector<Mesh::Point> points;
 };
@@ -41,9 +42,10 @@ struct Isoline
 // What is printed, and written to files.
 struct Results
 {
-  std::vector<Mesh::Point> sources;
+  std::vector<Mesh::Point> sources; // in the order in which they are given
+  std::vector<std::string> names_of_sources;
   std::vector<double> distances;             // by vertex; infinity where no source reaches it
-  std::vector<std::int64_t> nearest_sources; // by vertex; positions, or -1
+  std::vector<std::int64_t> nearest_sources; // by vertex; positions in that order, or -1
   double smallest = 0, largest = 0;          // of the finite distances
   std::vector<Path_result> paths;            // in the order of the targets
   std::vector<Isoline> isolines, offsets;
@@ -56,25 +58,48 @@ auto vertex_map(const Mesh& mesh, Map& values)
   return boost::make_iterator_property_map(values.begin(), get(boost::vertex_index, mesh));
 }
 
+// Sources as the search has them, which may be several for a place, and the positions of the
+// places.
+struct Sources
+{
+  explicit Sources(const std::vector<Place>& the_places) : places(the_places)
+  {
+    for(std::size_t i = 0; i < places.size(); ++i)
+      positions.insert(positions.end(), places[i].points.size(), std::int64_t(i));
+  }
+
+  const std::vector<Place>& places;
+  std::vector<std::int64_t> positions; // by source of the search
+};
+
 template <typename Shortest_paths>
 Path_result find_path(Shortest_paths& shortest_paths,
                       const Place& target,
-                      const std::vector<Place>& sources,
+                      const Sources& sources,
                       const Options& options)
 {
   using Surface_point = typename Shortest_paths::Surface_point;
   Path_result result;
   result.target = target.name;
-  std::vector<Surface_point> points;
-  const auto answer = shortest_paths.shortest_path_surface_points_to_source_points(
-      target.point, std::back_inserter(points), CGAL::parameters::straighten(options.straightens));
-  if(answer.second == shortest_paths.source_points_end())
-    return result;
-  result.length = answer.first;
-  const auto number = std::distance(shortest_paths.source_points_begin(), answer.second);
-  result.source = options.curve.empty() ? sources[std::size_t(number)].name : "curve";
-  for(const Surface_point& p : points)
-    result.points.push_back(shortest_paths.point(p));
+  for(const Surface_point& copy : target.points)
+  {
+    std::vector<Surface_point> points;
+    const auto [length, source] = shortest_paths.shortest_path_surface_points_to_source_points(
+        copy, std::back_inserter(points), CGAL::parameters::straighten(options.straightens));
+    if(source == shortest_paths.source_points_end() || !(length < result.length))
+      continue;
+    result.length = length;
+    const auto number = std::distance(shortest_paths.source_points_begin(), source);
+    result.position_of_source =
+        options.curve.empty() ? sources.positions[std::size_t(number)] : std::int64_t(0);
+    result.points.clear();
+    for(auto p = points.rbegin(); p != points.rend(); ++p) // they come from the target
+      result.points.push_back(shortest_paths.point(*p));
+  }
+  if(!result.points.empty())
+    result.source = options.curve.empty()
+                        ? sources.places[std::size_t(result.position_of_source)].name
+                        : "curve";
   return result;
 }
 
@@ -144,26 +169,32 @@ inline void find_offsets(const Mesh& mesh,
     return find_offsets(mesh, curve_through(sources), distances, results);
   std::vector<CGAL::Approximate_geodesics::Surface_point<Mesh>> points;
   for(const Place& source : sources)
-    points.push_back(source.point);
+    points.insert(points.end(), source.points.begin(), source.points.end());
   find_offsets(mesh, points, distances, results);
 }
 
 template <typename Shortest_paths>
 Results find_results(const Mesh& mesh,
                      Shortest_paths& shortest_paths,
-                     const std::vector<Place>& sources,
+                     const Sources& sources,
                      const std::vector<Place>& targets,
                      const Options& options)
 {
   Results results;
-  for(const Place& source : sources)
-    results.sources.push_back(shortest_paths.point(source.point));
+  for(const Place& source : sources.places)
+  {
+    results.sources.push_back(shortest_paths.point(source.points.front()));
+    results.names_of_sources.push_back(source.name);
+  }
   results.distances.resize(mesh.num_vertices());
   results.nearest_sources.resize(mesh.num_vertices());
   shortest_paths.shortest_distances_to_source_points(
       vertex_map(mesh, results.distances),
       CGAL::parameters::nearest_source_map(vertex_map(mesh, results.nearest_sources))
           .signed_distances(options.is_signed));
+  for(std::int64_t& source : results.nearest_sources)
+    if(source >= 0 && options.curve.empty())
+      source = sources.positions[std::size_t(source)];
   results.smallest = *std::min_element(results.distances.begin(), results.distances.end());
   for(const double distance : results.distances)
     if(std::isfinite(distance))
@@ -172,6 +203,26 @@ Results find_results(const Mesh& mesh,
     results.paths.push_back(find_path(shortest_paths, target, sources, options));
   find_isolines(mesh, options, results);
   return results;
+}
+
+// Gives all vertices of the mesh that are one vertex of the file the distance of the nearest of
+// them.
+inline void unite_copies(const Vertices_of_file& vertices, Results& results)
+{
+  if(vertices.are_those_of_mesh())
+    return;
+  const std::vector<double> distances = results.distances;
+  const std::vector<std::int64_t> sources = results.nearest_sources;
+  for(std::size_t v = 0; v < distances.size(); ++v)
+  {
+    const std::vector<std::size_t> copies = vertices.vertices(vertices.number_of(v));
+    const std::size_t nearest = *std::min_element(
+        copies.begin(), copies.end(), [&](const std::size_t a, const std::size_t b) {
+          return std::abs(distances[a]) < std::abs(distances[b]); // they may have signs
+        });
+    results.distances[v] = distances[nearest];
+    results.nearest_sources[v] = sources[nearest];
+  }
 }
 
 #endif // GEODESIC_DISTANCES_RESULTS_H

@@ -8,30 +8,30 @@ function(answer text)
 endfunction()
 
 # lengths of paths: along the edges, and straight on
-answer("\n1 +3 +2\n" square.off -s 3 -t 1)
-answer("\n1 +3 +1.4142135" square.off -s 3 -t 1 -e 0)
-answer("\n1 +3 +1.4142135" square.off -s 3 -t 1 -e 0.1)
-answer("\n1 +3 +1.4142135" square.off -s 3 -t 1 --straighten)
-answer("\n0.75,0.25,0 +0.25,0.75,0 +0.7071067" square.off -s 0.25,0.75,0 -t 0.75,0.25,0 -e 0)
+answer("\n3 +1 +2\n" square.off -s 3 -t 1)
+answer("\n3 +1 +1.4142135" square.off -s 3 -t 1 -e 0)
+answer("\n3 +1 +1.4142135" square.off -s 3 -t 1 -e 0.1)
+answer("\n3 +1 +1.4142135" square.off -s 3 -t 1 --straighten)
+answer("\n0.25,0.75,0 +0.75,0.25,0 +0.7071067" square.off -s 0.25,0.75,0 -t 0.75,0.25,0 -e 0)
 answer("--sources -3,0,0: the nearest point of the surface is 0 0 0, 3 away" square.off -s -3,0,0)
 file(WRITE ${folder}/list.txt "0 # a comment\n2\n")
-answer("\n1 +0 +1\n3 +0 +1\n" square.off -s file:list.txt -t 1 3)
-answer("\n0 +1 +1\n3 +2 +1\n" square.off -s 1 2 -t 0 3 -s 2 -m 5 --statistics)
+answer("\n0 +1 +1\n0 +3 +1\n" square.off -s file:list.txt -t 1 3)
+answer("\n1 +0 +1\n2 +3 +1\n" square.off -s 1 2 -t 0 3 -s 2 -m 5 --statistics)
 answer("exact distances, by CGAL .*vertices below the exact distance +0\n" square.off -e 0.1
        -s 3 --compare)
 
 # targets that no path leads to keep their lines
-answer("\n1 +0 +1\n4 +none +inf\n2 +0 +1\n" two_parts.off -t 1 4 2)
+answer("\n0 +1 +1\nnone +4 +inf\n0 +2 +1\n" two_parts.off -t 1 4 2)
 answer("There is no path to target 4: " two_parts.off -t 1 4 2)
 expect_contents(geodesic_distances.polylines.txt "^2 [^\n]+\ninf\n2 [^\n]+\n$")
-answer("\n2 +none +inf\n" square.off -t 2 -m 0.5)
+answer("\nnone +2 +inf\n" square.off -t 2 -m 0.5)
 
 # from curves
-answer("\n3 +curve +1\n2 +curve +1\n" square.off --curve 0 1 -t 3 2 -e 0)
-answer("\n3 +curve +0.7071067" square.off --curve 0 2 -t 3 -e 0.1)
-answer("\n3 +curve +1\n" square.off --curve 0 1 -t 3)
+answer("\ncurve +3 +1\ncurve +2 +1\n" square.off --curve 0 1 -t 3 2 -e 0)
+answer("\ncurve +3 +0.7071067" square.off --curve 0 2 -t 3 -e 0.1)
+answer("\ncurve +3 +1\n" square.off --curve 0 1 -t 3)
 file(WRITE ${folder}/middle.txt "2 0 0.25 0 1 0.25 0 # from border to border\n")
-answer("\n3 +curve +0.75\n" square.off --curve polyline:middle.txt -t 3 -e 0)
+answer("\ncurve +3 +0.75\n" square.off --curve polyline:middle.txt -t 3 -e 0)
 answer("distance, smallest +-0.75\n" square.off --curve polyline:middle.txt -e 0 --signed --csv)
 expect_contents(geodesic_distances.csv "\n0,0,0,0,0.25,0\n1,1,0,0,0.25,0\n2,1,1,0,-0.75,0\n3,0,1,0,-0.75,0\n$")
 answer("Written: .*_offsets.vtp geodesic_distances_offsets.polylines.txt"
@@ -46,10 +46,12 @@ answer("_offsets.vtp" square.off -e 0 -s 0.25,0.25,0 --offset count:3)
 answer("arcs are computed +by the search\n" square.off -e 0.1 --statistics)
 
 # files that had to be repaired, and what was done
-answer("edges cut that had more than two faces: 1; vertices duplicated" fan_of_three.off)
+answer("edges cut that had more than two faces: 1, such as that of vertices 0 and 1; vertices duplicated"
+       fan_of_three.off)
 answer("connected components: 3\\." fan_of_three.off)
-answer("points merged with others in the same place: 2; points removed that had no faces: 1\\. Indices"
+answer("points merged with others in the same place: 2, such as vertex 3 with vertex 0\\. Vertices and"
        doubled_points.off)
+answer("Vertices without faces, which no path leads to: 1, such as vertex 6\\." doubled_points.off)
 answer("Some faces are not triangles: they are triangulated" quadrangle.off)
 
 # a bound that takes longer than the exact answer
@@ -57,20 +59,20 @@ answer("--epsilon 1e-09: .*--epsilon 0 is exact" square.off -e 1e-9)
 
 # costs
 file(WRITE ${folder}/weights.txt "3\n5 # the other face\n")
-answer("\n1 +0 +3\n" square.off -e 0.1 -w weights.txt -t 1)
+answer("\n0 +1 +3\n" square.off -e 0.1 -w weights.txt -t 1)
 file(WRITE ${folder}/weights.ply
      "ply\nformat ascii 1.0\nelement vertex 3\nproperty double x\nproperty double y\n"
      "property double z\nelement face 1\nproperty list uchar int vertex_indices\n"
      "property float cost\nend_header\n0 0 0\n1 0 0\n0 1 0\n3 0 1 2 7\n")
-answer("\n1 +0 +7\n" weights.ply -e 0.1 -w property:cost -t 1 -o from_weights)
+answer("\n0 +1 +7\n" weights.ply -e 0.1 -w property:cost -t 1 -o from_weights)
 file(WRITE ${folder}/edges.txt "0 2\n")
-answer("\n1 +none +inf\n2 +3 +1\n" square.off -e 0.1 -b edges.txt -s 3 -t 1 2)
+answer("\nnone +1 +inf\n3 +2 +1\n" square.off -e 0.1 -b edges.txt -s 3 -t 1 2)
 file(WRITE ${folder}/one.txt "1\n")
 answer("bound that holds, epsilon" needle.off -e 0.01 -w one.txt --accept-weaker-bound)
 
 # graphs in files
 answer("arcs are computed +in advance\n.*Written: .* graph\n" square.off -e 0.1 --save-graph graph)
-answer("bound that holds, epsilon +0.1\n.*\n1 +3 +1.4142135" square.off --load-graph graph -s 3 -t 1)
+answer("bound that holds, epsilon +0.1\n.*\n3 +1 +1.4142135" square.off --load-graph graph -s 3 -t 1)
 expect(1 "--load-graph graph: .* 4 vertices, this one has 6" ${PROGRAM} two_parts.off --load-graph graph --force)
 
 # files
@@ -86,6 +88,33 @@ answer("there are none at 1 of the distances, such as 0.1; those of vertices go 
 answer("_isolines.vtp" square.off -i count:3)
 expect_contents(geodesic_distances_isolines.vtp "NumberOfLines=\"3\"")
 expect(1 "exists; --force replaces it" ${PROGRAM} square.off -o all)
-answer("Of an earlier run: all.polylines.txt\nOf an earlier run: all_isolines.vtp\nOf an earlier run: all.csv\n"
-       square.off -o all)
+
+# of an earlier run, nothing stays that could pass for a result of this one
+answer("Written: all.ply" square.off -o all -t 2 --csv -i 0.5 1)
+file(REMOVE ${folder}/all.ply ${folder}/all.vtp ${folder}/all_paths.vtp ${folder}/all.csv)
+expect(1 "--output: all.polylines.txt exists, of an earlier run; --force removes it" ${PROGRAM}
+       square.off -o all --csv)
+answer("Removed, as it was of an earlier run: all.polylines.txt\nRemoved, [^\n]*: all_isolines.vtp\n"
+       square.off -o all --csv)
+foreach(name all.polylines.txt all_isolines.vtp)
+  if(EXISTS ${folder}/${name})
+    message(FATAL_ERROR "${name} is there")
+  endif()
+endforeach()
+
+# names that end like those of files
+answer("Written: out.ply out.vtp out_paths.vtp\n" square.off -o out.ply)
+answer("Written: out.ply out.vtp out_paths.vtp out.csv\n" square.off -o out.csv)
+expect(1 "--output: polylines are the paths to --targets" ${PROGRAM} square.off -o out.polylines.txt --force)
+
+# colors, of near vertices and far ones: uniform ones are dark and light
+expect(1 "--colors: .gray. is neither rainbow nor uniform" ${PROGRAM} square.off --colors gray)
+answer("Written: " square.off -o rainbow)
+answer("Written: " square.off -o uniform --colors uniform)
+file(READ ${folder}/rainbow.ply rainbow HEX)
+file(READ ${folder}/uniform.ply uniform HEX)
+if(rainbow STREQUAL uniform)
+  message(FATAL_ERROR "--colors changes nothing")
+endif()
+
 expect(1 "--output: weights.ply is a file that is read" ${PROGRAM} weights.ply -o weights --force)

@@ -14,6 +14,7 @@
 #include <cstdint>
 #include <limits>
 #include <ostream>
+#include <string>
 #include <vector>
 
 // What viewers show in a color of its own, in place of infinity.
@@ -24,16 +25,19 @@ inline std::vector<double> with_nan(std::vector<double> numbers)
   return numbers;
 }
 
-inline CGAL::IO::Color color_of_distance(const double distance, const double largest)
+inline CGAL::IO::Color
+color_of_distance(const double distance, const double largest, const bool is_uniform)
 {
   if(!std::isfinite(distance))
     return CGAL::IO::gray();
-  const Color c = color_of(largest > 0 ? std::abs(distance) / largest : 0);
+  const double part = largest > 0 ? std::abs(distance) / largest : 0;
+  const Color c = is_uniform ? color_of(part, uniform_colors) : color_of(part, rainbow);
   const auto byte = [](const double x) { return static_cast<unsigned char>(255 * x); };
   return CGAL::IO::Color(byte(c[0]), byte(c[1]), byte(c[2]));
 }
 
-inline void write_ply(std::ostream& out, Mesh mesh, const Results& results)
+inline void
+write_ply(std::ostream& out, Mesh mesh, const Results& results, const bool has_uniform_colors)
 {
   using Vertex = Mesh::Vertex_index;
   const std::vector<double> distances = with_nan(results.distances);
@@ -44,7 +48,8 @@ inline void write_ply(std::ostream& out, Mesh mesh, const Results& results)
   {
     distance[v] = distances[v];
     quality[v] = static_cast<float>(distances[v]);
-    color[v] = color_of_distance(distances[v], (std::max)(results.largest, -results.smallest));
+    color[v] = color_of_distance(distances[v], (std::max)(results.largest, -results.smallest),
+                                 has_uniform_colors);
   }
   CGAL::IO::set_binary_mode(out);
   CGAL::IO::write_PLY(out, mesh);
@@ -67,15 +72,17 @@ inline void write_vtp(std::ostream& out, const Mesh& mesh, const Results& result
   vtp.write(out);
 }
 
-// The sources as points, and the paths as lines: `target` is the position of that among all
-// targets, or -1 for sources.
+// The sources as points, and the paths as lines: `source` and `target` are the positions of these
+// among all of them, or -1 if they have none, and `name` is that of the source or the target.
 inline void write_paths_vtp(std::ostream& out, const Results& results)
 {
   Vtp_file vtp;
   std::vector<double> lengths;
-  std::vector<std::int64_t> targets;
+  std::vector<std::int64_t> sources, targets;
+  std::vector<std::string> names = results.names_of_sources;
   for(const Mesh::Point& source : results.sources)
   {
+    sources.push_back(std::int64_t(sources.size()));
     vtp.vertices.add(std::vector<std::int64_t>{vtp.add_point(source)});
     lengths.push_back(0);
     targets.push_back(-1);
@@ -85,10 +92,14 @@ inline void write_paths_vtp(std::ostream& out, const Results& results)
     {
       vtp.add_line(results.paths[i].points);
       lengths.push_back(results.paths[i].length);
+      sources.push_back(results.paths[i].position_of_source);
       targets.push_back(std::int64_t(i));
+      names.push_back(results.paths[i].target);
     }
   vtp.add_array_of_cells("length", lengths);
+  vtp.add_array_of_cells("source", sources);
   vtp.add_array_of_cells("target", targets);
+  vtp.add_texts_of_cells("name", names);
   vtp.write(out);
 }
 
@@ -129,14 +140,15 @@ inline void write_polylines(std::ostream& out, const Results& results)
       write_polyline(out, path.points);
 }
 
-inline void write_csv(std::ostream& out, const Mesh& mesh, const Results& results)
+// A line per vertex of the file.
+inline void write_csv(std::ostream& out, const Mesh_of_file& mesh, const Results& results)
 {
   out << "vertex,x,y,z,distance,nearest_source\n";
-  for(const auto v : mesh.vertices())
+  for(std::size_t v = 0; v < mesh.vertices.number(); ++v)
   {
-    const Mesh::Point& p = mesh.point(v);
-    out << std::size_t(v) << ',' << p.x() << ',' << p.y() << ',' << p.z() << ','
-        << results.distances[v] << ',' << results.nearest_sources[v] << '\n';
+    const Mesh::Point& p = mesh.mesh.point(Mesh::Vertex_index(Mesh::size_type(v)));
+    out << v << ',' << p.x() << ',' << p.y() << ',' << p.z() << ',' << results.distances[v] << ','
+        << results.nearest_sources[v] << '\n';
   }
 }
 

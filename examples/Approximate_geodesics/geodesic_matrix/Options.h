@@ -42,11 +42,13 @@ inline boost::program_options::options_description describe_options(Options& opt
   const auto text = [](const char* name) { return po::value<std::string>()->value_name(name); };
   po::options_description description("Options");
   po::options_description_easy_init add = description.add_options();
-  add("help,h", po::bool_switch(&options.asks_for_help), "print this text");
+  add("help,h", po::bool_switch(&options.asks_for_help),
+      "print this text; --version prints the version");
   add("sources,s",
       po::value(&options.sources)->multitoken()->default_value({"all"}, "all")->value_name("V ..."),
       "the vertices that the rows belong to. V is the index of a vertex, counted from 0 in the "
-      "order of the file; or random:K for K different random vertices; farthest:K for K ones that "
+      "order of the file, whatever had to be repaired in that; or random:K for K different random "
+      "vertices; farthest:K for K ones that "
       "are spread evenly; file:NAME for those whose indices a text file lists, with comments after "
       "#; or all");
   add("targets,t", po::value(&options.targets)->multitoken()->value_name("V ..."),
@@ -57,7 +59,8 @@ inline boost::program_options::options_description describe_options(Options& opt
   add("nearest,k", text("K"), "keep the K smallest distances of each row only");
   add("epsilon,e", text("E"),
       "let paths run across faces, and be at most 1 + E times as long as the shortest ones on the "
-      "surface; 0 gives the shortest ones (default: along edges, without a bound)");
+      "surface, for E up to 1: 0.05 stands for 5 %; 0 gives the shortest ones (default: along "
+      "edges, without a bound)");
   add("type", po::value(&options.type)->default_value("float32")->value_name("TYPE"),
       "float32 or float64");
   add("symmetric", po::bool_switch(&options.is_symmetric),
@@ -83,6 +86,10 @@ inline void print_help(const boost::program_options::options_description& descri
          "a column per target. If only some of each row are kept, they are the arrays of a sparse\n"
          "matrix, FOLDER/data.npy, indices.npy, indptr.npy and shape.npy, for\n"
          "scipy.sparse.csr_matrix((data, indices, indptr), shape=shape).\n\n"
+         "Beside FILE or FOLDER, NAME.npy or NAME.csr, NAME.vertices.npy has the indices of the\n"
+         "vertices that the rows belong to, and NAME.columns.npy those of the columns, unless "
+         "they\n"
+         "are the same. Vertices without faces are infinitely far from all others.\n\n"
          "If a run ends early, by Ctrl-C, an error or a kill, the same command resumes it. Only\n"
          "the rows are lost that each thread is computing, 64 or fewer. Until all is complete, "
          "the\n"
@@ -114,7 +121,7 @@ inline void read_numbers(const boost::program_options::variables_map& values, Op
   if(values.count("radius") > 0)
     options.radius = number_from_0("radius", text("radius"), false);
   if(values.count("epsilon") > 0)
-    options.epsilon = number_from_0("epsilon", text("epsilon"), false);
+    options.epsilon = error_bound("epsilon", text("epsilon"));
   const std::string resume = text("resume");
   if(resume != "yes" && resume != "no")
     reject_option("resume", '"' + resume + "\" is neither yes nor no");

@@ -7,10 +7,12 @@
 #include "matrix.h"
 #include "peak_memory.h"
 #include "texts.h"
+#include "vertex_files.h"
 
 #include <cstddef>
 #include <filesystem>
 #include <iostream>
+#include <string>
 
 // The bytes of a file, or of all files in a folder.
 inline double length_on_disk(const std::filesystem::path& name)
@@ -53,6 +55,10 @@ struct Report
     table.add("processes", processes.size());
     table.add("peak memory of a process", text_of_bytes(memory));
     table.add("file", options.output);
+    table.add("vertices of its rows", file_of_rows(options));
+    const std::string columns = file_of_columns(options); // none if they are the rows
+    table.add("vertices of its columns",
+              std::filesystem::exists(columns) ? columns : file_of_rows(options));
     table.add("length of the file", text_of_bytes(length_on_disk(options.output)));
     table.print(std::cout);
   }

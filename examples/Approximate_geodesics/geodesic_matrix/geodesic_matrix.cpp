@@ -12,6 +12,7 @@
 #include "Vertex_choice.h"
 #include "estimate.h"
 #include "matrix.h"
+#include "vertex_files.h"
 
 #include <CGAL/Approximate_geodesics/Graphs/Discrete_geodesic_graph.h>
 #include <CGAL/Approximate_geodesics/Graphs/Edge_graph.h>
@@ -47,13 +48,13 @@ void check_files(const Options& options)
   if(is_begun && !options.may_resume)
     throw std::invalid_argument("--resume no: " + options.output +
                                 ".part belongs to an unfinished run; delete it to restart");
-  if(!is_begun && std::filesystem::exists(options.output))
-    throw std::invalid_argument(options.output +
-                                " already exists; remove it, or choose another name");
+  for(const std::string& file : {options.output, file_of_rows(options), file_of_columns(options)})
+    if(!is_begun && std::filesystem::exists(file))
+      throw std::invalid_argument(file + " already exists; remove it, or choose another name");
 }
 
 // The first process chooses for all, whatever their processors and libraries are.
-Matrix_vertices choose_vertices(const Job& job, const Mesh& mesh)
+Matrix_vertices choose_vertices(const Job& job, const Mesh_of_file& mesh)
 {
   Matrix_vertices result;
   if(job.processes.rank() == 0)
@@ -66,6 +67,20 @@ Matrix_vertices choose_vertices(const Job& job, const Mesh& mesh)
   job.processes.share(result.sources);
   job.processes.share(result.targets);
   return result;
+}
+
+// The matrix has the distances of one of the parts of such a vertex.
+void tell_of_cuts(const Vertices_of_file& vertices, const Matrix_vertices& numbers)
+{
+  for(const Vertex_choice::Indices* const indices : {&numbers.sources, &numbers.targets})
+    for(const std::uint64_t number : *indices)
+      if(vertices.is_cut(number))
+      {
+        std::clog << "At some vertices, such as " << number
+                  << ", faces do not form a surface. Distances are those of some of its faces, and "
+                     "can be too large.\n";
+        return;
+      }
 }
 
 // Returns the exit code.
@@ -104,12 +119,16 @@ int run(const Job& job, const NamedParameters&... np)
     stopwatch.restart();
     return result;
   };
-  Mesh mesh = read_mesh(job.options.input);
+  Mesh_of_file mesh = read_mesh(job.options.input);
   report.seconds_to_read = lap();
-  const Matrix_vertices vertices = choose_vertices(job, mesh);
+  const Matrix_vertices numbers = choose_vertices(job, mesh);
+  const Matrix_vertices vertices = vertices_in_mesh(numbers, mesh.vertices);
+  tell_of_cuts(mesh.vertices, numbers);
   report.seconds_to_choose = lap();
-  const Graph graph(Intrinsic_triangulation(mesh), np...);
-  mesh = Mesh(); // whose memory is of no more use
+  const Graph graph(Intrinsic_triangulation(mesh.mesh), np...);
+  mesh = Mesh_of_file(); // whose memory is of no more use
+  if(job.processes.rank() == 0 && !job.options.only_estimates)
+    write_vertex_files(job.options, numbers);
   report.seconds_to_build = lap();
 
   const auto finish = [&](const auto zero) {

@@ -9,14 +9,23 @@
 #include <CGAL/Approximate_geodesics/Matrix_files/Npy_file.h>
 #include <CGAL/approximate_geodesic_distance_matrix.h>
 
+#include <cstdint>
 #include <functional>
 
-// The vertices of rows and columns.
+// The vertices of rows and columns, by their numbers in the file or in the mesh.
 struct Matrix_vertices
 {
   Vertex_choice::Indices sources;
   Vertex_choice::Indices targets;
 };
+
+inline Matrix_vertices vertices_in_mesh(Matrix_vertices numbers, const Vertices_of_file& vertices)
+{
+  for(Vertex_choice::Indices* const indices : {&numbers.sources, &numbers.targets})
+    for(std::uint64_t& index : *indices)
+      index = vertices.vertex(index);
+  return numbers;
+}
 
 template <typename Visitor>
 auto matrix_parameters(const Options& options, const Matrix_vertices& vertices, Visitor& visitor)

@@ -16,4 +16,8 @@ foreach(kind "all.npy;--epsilon;0.1" "near.csr;--radius;0.5" "far.npy;--sources;
   endif()
 endforeach()
 expect(1 "--radius" ${LAUNCHER} 2 ${PROGRAM} ${mesh} --radius -1)
-expect_files(one_all.npy one_far.npy one_near.csr two_all.npy two_far.npy two_near.csr)
+expect_same(one_far.vertices.npy two_far.vertices.npy)
+expect_files(
+  one_all.npy one_all.vertices.npy one_far.npy one_far.vertices.npy one_far.columns.npy one_near.csr
+  one_near.vertices.npy two_all.npy two_all.vertices.npy two_far.npy two_far.vertices.npy two_far.columns.npy
+  two_near.csr two_near.vertices.npy)

@@ -13,8 +13,11 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cerrno>
 #include <cstddef>
+#include <cstdint>
+#include <cstring>
 #include <stdexcept>
 #include <string>
 #include <system_error>
@@ -242,6 +245,132 @@ TEST(Mesh_file, that_cannot_be_opened_is_not_called_empty)
   expect_texts<std::invalid_argument>([&] { read_mesh_file(folder.file("folder.off")); },
                                       {folder.file("folder.off") + ": " + reason(EISDIR)});
 #endif
+}
+
+// Files in which CGAL's own reader takes several times as long, and others that only look like
+// them.
+TEST(Mesh_file, in_a_usual_form_has_the_numbers_that_CGAL_reads)
+{
+  const Temporary_folder folder;
+  const std::string rest = "0.1 -2e-3 1e300\n1.7976931348623157e308 0 0\n4.9e-324 0 0\n-0 1 2\n";
+  const std::string faces = "3 0 1 2\n4 3 2 1 0\n";
+  for(const std::string& contents :
+      {"OFF\n4 2 0\n" + rest + faces, "OFF 4 2 0\n" + rest + faces,
+       "# a comment\n\nOFF # another\n 4\t2 0\r\n\n" + rest + "\n#\n" + faces,
+       "OFF\n4 2 0\n" + rest + "3 0 1 2 255 0 0\n4 3 2 1 0 0.5 0.5 0.5\n", // colors
+       "OFF\n4 2 0\n" + rest + "3 0 1 2\n4 3 2 1 0"})                      // no end of a line
+  {
+    SCOPED_TRACE(contents);
+    folder.fill({{"mesh.off", contents}});
+    std::vector<Soup_point> points, points_of_cgal;
+    Soup_faces soup, soup_of_cgal;
+    AG::read_soup(folder.file("mesh.off"), points, soup);
+    ASSERT_TRUE(CGAL::IO::read_polygon_soup(folder.file("mesh.off"), points_of_cgal, soup_of_cgal));
+    EXPECT_EQ(points, points_of_cgal);
+    EXPECT_EQ(soup, soup_of_cgal);
+    EXPECT_EQ(soup, Soup_faces({{0, 1, 2}, {3, 2, 1, 0}}));
+  }
+}
+
+TEST(Mesh_file, may_have_its_numbers_glued_to_OFF)
+{
+  const Temporary_folder folder;
+  folder.fill({{"mesh.off", "OFF4 2 0\n0 0 0\n1 0 0\n1 1 0\n0 1 0\n3 0 1 2\n3 0 2 3\n"}});
+  expect_square<Soup_point, Soup_faces>(folder.file("mesh.off"));
+}
+
+// Lines in a buffer that is filled again and again.
+TEST(Mesh_file, of_many_lines_is_read)
+{
+  const Temporary_folder folder;
+  constexpr std::size_t number = 30000;
+  std::string vertices, faces;
+  for(std::size_t i = 0; i < number; ++i)
+  {
+    vertices += std::to_string(i) + " 0.5 " + std::string(i % 50, ' ') + "1\n";
+    faces += "3 0 " + std::to_string(i) + " 7\n";
+  }
+  const std::string size = std::to_string(number);
+  folder.fill({{"mesh.off", "OFF\n" + size + ' ' + size + " 0\n" + vertices + faces},
+               {"mesh.ply", "ply\nformat ascii 1.0\nelement vertex " + size +
+                                "\nproperty float x\nproperty float y\nproperty float z\n"
+                                "element face " +
+                                size + "\nproperty list uchar int vertex_index\nend_header\n" +
+                                vertices + faces}});
+  for(const char* const name : {"mesh.off", "mesh.ply"})
+  {
+    std::vector<Soup_point> points;
+    Soup_faces soup;
+    AG::read_soup(folder.file(name), points, soup);
+    ASSERT_EQ(points.size(), number);
+    ASSERT_EQ(soup.size(), number);
+    for(std::size_t i = 0; i < number; ++i)
+    {
+      EXPECT_EQ(points[i], Soup_point(double(i), 0.5, 1));
+      EXPECT_EQ(soup[i], (std::vector<std::size_t>{0, i, 7}));
+    }
+  }
+}
+
+// The square with numbers of these types, among others, in one of the three formats.
+std::string ply_of_types(const std::string& format, const std::string& index)
+{
+  const bool is_big = format == "binary_big_endian", is_text = format == "ascii";
+  std::string result = "ply\nformat " + format +
+                       " 1.0\nelement note 1\nproperty list uchar short a\nelement vertex 4\n"
+                       "property list uchar uchar b\nproperty float x\nproperty uchar c\n"
+                       "property double y\nproperty float z\nelement face 2\nproperty " +
+                       index + " d\nproperty list ushort " + index +
+                       " vertex_indices\nproperty uchar red\nend_header\n";
+  const auto add = [&](const auto number) {
+    std::string bytes(sizeof(number), ' ');
+    std::memcpy(&bytes[0], &number, sizeof(number));
+    if(is_big)
+      std::reverse(bytes.begin(), bytes.end());
+    result += is_text ? std::to_string(number) + ' ' : bytes;
+  };
+  using Byte = std::uint8_t;
+  const auto add_index = [&](const int i) {
+    if(index == "ushort")
+      add(std::uint16_t(i));
+    else
+      add(std::int32_t(i));
+  };
+  add(Byte(2)), add(std::int16_t(-1)), add(std::int16_t(300));
+  for(const auto& [x, y] : {std::pair(0, 0), {1, 0}, {1, 1}, {0, 1}})
+    add(Byte(1)), add(Byte(9)), add(float(x)), add(Byte(200)), add(double(y)), add(0.f);
+  for(const int i : {1, 2})
+  {
+    add_index(7), add(std::uint16_t(3));
+    add_index(0), add_index(i), add_index(i + 1), add(Byte(10 * i));
+  }
+  return result;
+}
+
+TEST(Mesh_file, with_any_types_of_numbers_and_other_lists_is_read)
+{
+  const Temporary_folder folder;
+  const std::string file = folder.file("mesh.ply");
+  for(const std::string format : {"ascii", "binary_little_endian", "binary_big_endian"})
+    for(const std::string index : {"ushort", "int"})
+    {
+      SCOPED_TRACE(format + ' ' + index);
+      folder.fill({{"mesh.ply", ply_of_types(format, index)}});
+      expect_square<Soup_point, Soup_faces>(file);
+      expect_square<Float_point, Soup_triangles>(file);
+      EXPECT_EQ(AG::read_face_property(file, "red"), std::vector<double>({10, 20}));
+      EXPECT_EQ(AG::read_face_property(file, "d"), std::vector<double>({7, 7}));
+      for(const std::string name : {"x", "vertex_indices", "Red", ""})
+        expect_texts<std::invalid_argument>([&] { AG::read_face_property(file, name); },
+                                            {"the faces of " + file + " have no property " + name});
+    }
+  const std::string bytes = ply_of_types("binary_little_endian", "int");
+  folder.fill({{"mesh.ply", bytes.substr(0, bytes.size() - 1)}, {"mesh.off", vertices_of_off}});
+  expect_texts<std::invalid_argument>([&] { AG::read_face_property(file, "red"); },
+                                      {file, "behind property red of face 1"});
+  for(const char* const name : {"mesh.off", "missing.ply"})
+    expect_texts<std::invalid_argument>([&] { AG::read_face_property(folder.file(name), "red"); },
+                                        {folder.file(name) + " is not a PLY file"});
 }
 
 // Wherever a file ends, it is read or refused with a reason, but for what cannot be told.

@@ -1,0 +1,56 @@
+#ifndef GEODESIC_MATRIX_VERTEX_FILES_H
+#define GEODESIC_MATRIX_VERTEX_FILES_H
+
+#include "../command_line/New_files.h"
+#include "Options.h"
+#include "matrix.h"
+
+#include <boost/endian/conversion.hpp>
+
+#include <cstddef>
+#include <cstdint>
+#include <filesystem>
+#include <ostream>
+#include <string>
+
+// Which vertices the rows and columns are: one-dimensional arrays for NumPy, beside the matrix.
+
+inline std::string file_of_rows(const Options& options)
+{
+  return std::filesystem::path(options.output).replace_extension(".vertices.npy").string();
+}
+
+inline std::string file_of_columns(const Options& options)
+{
+  return std::filesystem::path(options.output).replace_extension(".columns.npy").string();
+}
+
+inline void write_npy(std::ostream& out, const Vertex_choice::Indices& numbers)
+{
+  constexpr std::size_t size_of_start = 10, alignment = 64;
+  std::string header = "{'descr': '<i8', 'fortran_order': False, 'shape': (" +
+                       std::to_string(numbers.size()) + ",), }";
+  header.append(alignment - (size_of_start + header.size() + 1) % alignment, ' ');
+  header += '\n';
+  out << std::string("\x93NUMPY\x01\x00", 8) << static_cast<char>(header.size()) << '\0' << header;
+  for(const std::uint64_t number : numbers)
+  {
+    const std::uint64_t bytes = boost::endian::native_to_little(number);
+    out.write(reinterpret_cast<const char*>(&bytes), sizeof(bytes));
+  }
+}
+
+// The columns have no file if they are the rows.
+inline void write_vertex_files(const Options& options, const Matrix_vertices& vertices)
+{
+  New_files files(true); // which the run that is resumed has written, or nobody
+  const auto write = [&](const std::string& name, const Vertex_choice::Indices& numbers) {
+    files.write(name, [&](std::ostream& out) { write_npy(out, numbers); });
+  };
+  write(file_of_rows(options), vertices.sources);
+  if(vertices.sources != vertices.targets)
+    write(file_of_columns(options), vertices.targets);
+  files.put_in_place();
+}
+
+#endif // GEODESIC_MATRIX_VERTEX_FILES_H
