@@ -280,8 +280,11 @@ TEST_F(Surface_searches, keep_results_without_nodes_when_input_is_refused)
 {
   const AG::Edge_graph graph(m_triangulation);
   AG::Surface_search search(graph);
-  const AG::Intrinsic_point source = AG::Intrinsic_point::in_face(0, 0.3, 0.3),
-                            target = AG::Intrinsic_point::in_face(0, 0.3, 0.301);
+  Node h = 0;
+  while(m_triangulation.is_border(h))
+    ++h;
+  const auto source = AG::Intrinsic_point::in_face(h, 0.3, 0.3),
+             target = AG::Intrinsic_point::in_face(h, 0.3, 0.301);
   search.run({{source}}, {0.01, {}});
   ASSERT_TRUE(search.search().reached_nodes().empty());
   const double before = search.distance(target);
