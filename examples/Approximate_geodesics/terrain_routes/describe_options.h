@@ -48,7 +48,8 @@ inline po::options_description describe_costs(Options& options)
       "HEIGHTS, hiking_time (Tobler) or naismith_time (Naismith, Langmuir), in seconds, or "
       "walking_energy (Minetti), in joules per kilogram. Units are meters then. Slopes that take "
       "less "
-      "in zigzags are climbed in zigzags");
+      "in zigzags are climbed in zigzags. "
+      "Where friction is 0, paths are not the shortest of those that cost the same");
   add("max-slope", text_option("S"),
       "do not walk straight up or down more than S units of height per horizontal unit, nor in "
       "zigzags within a cell; 0.3 is 30 %. Paths can turn at centers of cells, and so cross "
