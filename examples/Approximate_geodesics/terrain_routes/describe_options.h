@@ -51,11 +51,12 @@ inline po::options_description describe_costs(Options& options)
       "what a unit of length costs, which friction multiplies: length; or, by the slope of "
       "HEIGHTS, hiking_time (Tobler) or naismith_time (Naismith, Langmuir), in seconds, or "
       "walking_energy (Minetti), in joules per kilogram. Without a known unit, coordinates are "
-      "taken for meters then. Slopes that take less in zigzags are climbed in zigzags");
+      "taken for meters then. Slopes that cost less in zigzags are climbed in zigzags. Where "
+      "friction is 0, paths are not the shortest of those that cost the same");
   add("max-slope", text_option("S"),
-      "do not walk straight up or down more than S units of height per horizontal unit, nor in "
-      "zigzags within a cell; 0.3 is 30 %. Paths can turn at centers of cells, and so cross "
-      "steeper slopes at an angle. Needs --heights");
+      "use no lines that are steeper, uphill or downhill, than S units of height per horizontal "
+      "unit, nor zigzags within a cell in their place; 0.3 is 30 %. Paths turn at centers of "
+      "cells, and so can cross steeper slopes at an angle. Needs --heights");
   add("to-sources", po::bool_switch(&options.goes_to_sources),
       "let costs and paths be those of the ways to the sources");
   return result;
