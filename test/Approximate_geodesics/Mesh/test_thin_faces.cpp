@@ -354,13 +354,13 @@ TEST(Thin_faces, make_no_shortcuts)
 }
 
 // What is behind a short side that is far away is seen in a direction that has lost digits. Small
-// errors are left, and none that grows with the aspect.
+// errors are left, and none that grows with the aspect: less than the manual says of all surfaces.
 TEST(Thin_faces, make_distances_too_short_by_little)
 {
-  constexpr double largest_error = 1e-11, diameter = 2;
+  constexpr double largest_error = 2e-12, diameter = 2;
   Random random(test_seed());
   double largest = 0;
-  for(double aspect = 1e3; aspect < 2e9; aspect *= 4)
+  for(double aspect = 1e3; aspect < 2e9; aspect *= 2)
   {
     SCOPED_TRACE(aspect);
     const Soup soup = disk_in_disk(aspect, random, 0.1);
