@@ -682,6 +682,12 @@ class Solver:
         Cells
             The areas of the cells, their borders as polylines, the two sources of each border, which
             cells are neighbors, and the dual triangulation.
+
+        Raises
+        ------
+        ValueError
+            Also if areas do not add up because of rounding, as where vertices nearly coincide. The
+            message names the face.
         """
         return self._cells(sources, False, initial_distances, chord_error)
 
@@ -884,6 +890,12 @@ class Solver:
         list of (k, 3) arrays of float64, or list of such lists
             The polylines at one distance, or at each one. What is nearer to the curve is on their
             left. That of a closed one begins and ends with the same point.
+
+        Raises
+        ------
+        ValueError
+            Also if steps are so small that faces would be divided into too many parts. The message
+            names the face.
         """
         (elements, coordinates), _ = _arrays.points(points, "point")
         wanted = np.atleast_1d(_arrays.numbers(distances, "distances", np.shape(distances)[:1]))

@@ -9,6 +9,7 @@
 #include "oracles/test_oracles.h"
 
 #include <CGAL/Approximate_geodesics/Graphs/Discrete_geodesic_graph.h>
+#include <CGAL/Approximate_geodesics/Graphs/Edge_graph.h>
 #include <CGAL/Approximate_geodesics/Graphs/Lazy_discrete_geodesic_graph.h>
 #include <CGAL/Approximate_geodesics/Graphs/Saddle_vertex_graph.h>
 #include <CGAL/Approximate_geodesics/Paths/Surface_search.h>
@@ -301,6 +302,33 @@ TEST(Needles, have_the_bound)
   }
 }
 
+// Edges that are in the mesh only are arcs, too. Those of a built graph are rounded up.
+TEST(Needles, have_distances_not_above_those_along_edges)
+{
+  constexpr double rounding_up = 1 + 1. / (1 << 23);
+  for(const Needle_mesh& m : needle_meshes())
+    for(const double e : {1., 0.1})
+    {
+      SCOPED_TRACE(m.name);
+      const Triangulation t(to_mesh(m.soup));
+      const AG::Edge_graph edges(t);
+      const Discrete_geodesic_graph built(t, epsilon(e));
+      const Lazy_discrete_geodesic_graph lazy(t, epsilon(e));
+      AG::Propagation<AG::Edge_graph> along_edges(edges);
+      AG::Propagation<Discrete_geodesic_graph> stored(built);
+      AG::Propagation<Lazy_discrete_geodesic_graph> searched(lazy);
+      const Node source = t.vertex(m.soup.points.size() / 3);
+      along_edges.run_from(source);
+      stored.run_from(source);
+      searched.run_from(source);
+      for(Node v = 0; v < t.number_of_vertices(); ++v)
+      {
+        EXPECT_LE(searched.distance(v), along_edges.distance(v)) << "at vertex " << v;
+        EXPECT_LE(stored.distance(v), along_edges.distance(v) * rounding_up) << "at vertex " << v;
+      }
+    }
+}
+
 TEST(Needles, have_the_same_graph_lazily_and_from_a_file)
 {
   const Triangulation t(to_mesh(tube(200, 5, 40, 0.3)));
@@ -397,6 +425,34 @@ TEST(Needles, have_arcs_that_are_found_by_their_direction)
         number_found += line.is_found() ? 1 : 0;
       });
     EXPECT_GE(static_cast<double>(number_found), 0.999 * static_cast<double>(number));
+  }
+}
+
+// Lines around either side of a thin slab, from a corner to the opposite one, differ in length by
+// less than lengths in single precision do. The path of an arc is the shorter one.
+TEST(Needles, have_paths_in_a_built_graph_that_are_not_longer_than_the_distance)
+{
+  Random random(test_seed());
+  for(int i = 0; i < 200; ++i)
+  {
+    const double thickness = std::pow(10., -random.between(6, 8)), width = random.between(1, 2);
+    const auto corner = [&](const std::size_t j) {
+      return Point(j & 1, j & 2 ? width : 0, j & 4 ? thickness : 0);
+    };
+    Soup slab;
+    for(std::size_t j = 0; j < 8; ++j)
+      slab.points.push_back(corner(j));
+    slab.triangles = {{0, 2, 1}, {1, 2, 3}, {4, 5, 6}, {5, 7, 6}, {0, 1, 4}, {1, 5, 4},
+                      {2, 6, 3}, {3, 6, 7}, {0, 4, 2}, {2, 4, 6}, {1, 3, 5}, {3, 7, 5}};
+    const Triangulation t(to_mesh(slab));
+    const Discrete_geodesic_graph graph(t, epsilon(0.1));
+    AG::Surface_search<Discrete_geodesic_graph> search(graph);
+    search.run({{AG::Intrinsic_point::at_vertex(t.vertex(0))}});
+    for(Node v = 0; v < t.number_of_vertices(); ++v)
+    {
+      const auto end = AG::Intrinsic_point::at_vertex(v);
+      EXPECT_LE(search.find_path(end).length, search.distance(end) * (1 + 1e-14));
+    }
   }
 }
 

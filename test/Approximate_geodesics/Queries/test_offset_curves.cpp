@@ -10,6 +10,7 @@
 #include "meshes/surface_points.h"
 #include "meshes/test_meshes.h"
 #include "oracles/test_oracles.h"
+#include "threads/Interruption_at.h"
 
 #include <CGAL/Approximate_geodesics/Graphs/Saddle_vertex_graph.h>
 #include <CGAL/Approximate_geodesics/Surface_mesh_shortest_path.h>
@@ -325,6 +326,48 @@ TEST_F(Offset_curves, repeat_no_point)
   for(const Offset& curve : curves)
     for(std::size_t i = 0; i < curve.points.size(); ++i)
       EXPECT_NE(curve.points[i], curve.points[(i + 1) % curve.points.size()]);
+}
+
+// A unit square. Three vertices, in no order, are on its lower side, near a corner: four faces have
+// no area, and lines between them grow by no more than rounding errors.
+Soup square_with_faces_without_area(const double size)
+{
+  return {{{0, 0, 0},
+           {1, 0, 0},
+           {1, 1, 0},
+           {0, 1, 0},
+           {0.45, 0.55, 0},
+           {5.8 * size, 0, 0},
+           {2.9 * size, 0, 0},
+           {0.9 * size, 0, 0}},
+          {{0, 5, 4},
+           {1, 2, 4},
+           {2, 3, 4},
+           {3, 0, 4},
+           {5, 1, 4},
+           {5, 6, 1},
+           {0, 7, 6},
+           {5, 0, 6},
+           {7, 1, 6},
+           {0, 1, 7}}};
+}
+
+TEST(Offset_curves_beside_faces_without_area, are_found_with_few_queries)
+{
+  constexpr int most_checks = 100000; // one for each query of the search, and for its lines
+  for(const double size : {1e-3, 1e-5, 3e-7, 1e-7, 1e-9})
+  {
+    SCOPED_TRACE(size);
+    const Mesh mesh = to_mesh(square_with_faces_without_area(size));
+    const Interruption_at limit(most_checks);
+    std::vector<Offset> curves;
+    AG::offset_curves(mesh, Vertex(7), 0.3, std::back_inserter(curves));
+    ASSERT_EQ(curves.size(), 1u);
+    EXPECT_FALSE(curves[0].is_closed);
+    EXPECT_LT(curves[0].points.size(), 1000u);
+    for(const Point& p : curves[0].points)
+      EXPECT_NEAR(std::hypot(p.x() - 0.9 * size, p.y()), 0.3, 0.003);
+  }
 }
 
 TEST_F(Offset_curves, end_at_the_border)

@@ -5,6 +5,7 @@
 
 #include <CGAL/Approximate_geodesics/Queries/internal/Offsets/Offset_tracer.h>
 
+#include "checks/expect_message.h"
 #include "meshes/hostile_meshes.h"
 #include "oracles/distances_to_curves.h"
 #include "threads/Interruption_at.h"
@@ -16,6 +17,8 @@
 
 #include <cmath>
 #include <cstddef>
+#include <stdexcept>
+#include <string>
 
 // How offset curves are traced: with how much work, and in which unit.
 
@@ -29,7 +32,7 @@ using Search_from_curve = AG::Surface_search<AG::Saddle_vertex_graph>;
 // other: there are as many as on a long side.
 TEST(Offset_tracer, takes_no_more_triangles_the_longer_needles_are)
 {
-  constexpr int most_checks = 60; // each is for 4096 triangles
+  constexpr std::size_t most_parts = 60 * 4096;
   for(const double aspect : {1e4, 1e6, 1e8})
   {
     SCOPED_TRACE(aspect);
@@ -41,9 +44,54 @@ TEST(Offset_tracer, takes_no_more_triangles_the_longer_needles_are)
     Search_from_curve search(graph);
     search.run_from_curves({{{column}}});
     const double width = 3 / aspect, step = 0.01;
-    AG::internal::Offset_tracer tracer(search, {width / 1e3, width / 2}, step);
-    const Interruption_at limit(most_checks);
+    AG::internal::Offset_tracer tracer(search, {width / 1e3, width / 2}, step, most_parts);
     EXPECT_NO_THROW(tracer.trace());
+  }
+}
+
+// Two faces, and a circle with so small a step that they would be divided into millions of parts.
+class Offset_tracer_of_square : public testing::Test
+{
+protected:
+  Offset_tracer_of_square() { m_search.run({{Intrinsic_point::at_vertex(0)}}); }
+
+  void trace() { AG::internal::Offset_tracer(m_search, {0.1}, 1e-12).trace(); }
+
+  const AG::Saddle_vertex_graph m_graph{Triangulation(to_mesh(flat_grid(2, 2)))};
+  Search_from_curve m_search{m_graph};
+};
+
+TEST_F(Offset_tracer_of_square, names_the_face_if_there_would_be_too_many_parts)
+{
+  const std::size_t most = (1 << 18) + (1 << 12) * 2;
+  expect_message<std::length_error>([&] { trace(); },
+                                    "more than " + std::to_string(most) + " parts",
+                                    "in the face with vertices");
+}
+
+TEST_F(Offset_tracer_of_square, is_interrupted_at_each_of_many_checks)
+{
+  for(const int number : {0, 1, 10, 50})
+  {
+    const Interruption_at interruption(number);
+    EXPECT_THROW(trace(), std::runtime_error);
+  }
+}
+
+// Lines from a point of the plane, which are divided at each of 22,500 vertices.
+TEST(Offset_tracer, is_interrupted_while_one_distance_is_found)
+{
+  const AG::Saddle_vertex_graph graph{Triangulation(to_mesh(flat_grid(150, 150)))};
+  const auto point = Intrinsic_point::in_face(0, 0.3, 0.3);
+  const auto find = [&] {
+    graph.attach(point).for_each_line(
+        0, [](auto) { return infinity; }, AG::Points_by_face(),
+        [](auto, double, const AG::internal::Arrival&) {}, [](std::size_t, double) {});
+  };
+  for(const int number : {0, 3})
+  {
+    const Interruption_at interruption(number);
+    EXPECT_THROW(find(), std::runtime_error);
   }
 }
 

@@ -177,8 +177,8 @@ public:
                            const double rounding = 0) const
   {
     // with the visitor and the rules by which `build()` has found the arcs
-    return m_triangulation.trace<internal::Leave_out_detours>(m_rules, source, target, length,
-                                                              rounding, f);
+    return m_triangulation.trace<internal::Leave_out_detours>(
+        m_rules, source, target, internal::before_rounding_up(length), rounding, f);
   }
 
   /// returns where a node is, which may be one of the vertices.

@@ -177,8 +177,9 @@ public:
                            const double rounding = 0) const
   {
     if(!advances_together())
-      return m_triangulation.trace<internal::Leave_out_detours>(m_rules, source, target, length,
-                                                                rounding, f);
+      return m_triangulation.trace<internal::Leave_out_detours>(
+          m_rules, source, target,
+          m_arc_cache.is_enabled() ? internal::before_rounding_up(length) : length, rounding, f);
     return m_triangulation.trace<internal::Leave_out_nothing>(rules_of_longest_arcs(), source,
                                                               target, length, rounding, f);
   }
@@ -266,6 +267,11 @@ private:
       expand_with(std::true_type());
     else
       expand_with(std::false_type());
+    for(std::size_t i = 0; i < number; ++i)
+      m_triangulation.for_each_lost_edge(nodes[i], [&](const Node target, const double length) {
+        arcs.make_room(1);
+        arcs.append(true, nodes[i], labels.distance(nodes[i]), target, length);
+      });
   }
 
   // Finds the arcs of a node that is not expanded together with others.

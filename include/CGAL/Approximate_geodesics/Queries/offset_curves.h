@@ -103,13 +103,16 @@ inline double smallest_step(const std::vector<double>& distances, const double m
  * \return the output iterator, after the last curve.
  *
  * \throws std::invalid_argument as `approximate_geodesic_distances()` does with `epsilon(0)`, and
- * if a distance is not finite or not larger than `0`. Nothing is written then.
+ * if a distance is not finite or not larger than `0`.
+ * \throws std::length_error if faces would be divided into more than \f$2^{18}\f$ parts, and
+ * \f$2^{12}\f$ for each face and distance. The message names the face where that is so. Nothing is
+ * written after an exception.
  *
  * Run time is that of an exact search up to the largest distance, linear in the number of vertices
  * and points after it, and that of a query of the search for each point in faces near sources. Of
  * these, there are up to tens of thousands for each edge that a curve crosses, if steps are far
  * smaller than edges. Where the medial axis crosses an edge, paths are followed back over the edges
- * around.
+ * around. Memory is that of the search, and of the parts of faces.
  *
  * \sa `approximate_geodesic_distances()`
  * \sa `isolines()`

@@ -74,7 +74,7 @@ template <typename TriangleMesh>
 struct Voronoi_cells
 {
   /// the area of the cell of each source; `0` if no point is nearest to the source, and infinity if
-  /// it exceeds the largest number.
+  /// it exceeds the largest number. They add up to the area that is reached, up to a millionth.
   std::vector<double> areas;
 
   /// the borders, in no particular order.
@@ -230,7 +230,9 @@ Voronoi_cells<TriangleMesh> cells_of(const TriangleMesh& tmesh,
  *         belong to no cell.
  *
  * \throws std::invalid_argument as `approximate_geodesic_distances()` does, if an edge has length
- *         zero, and if `chord_error` is not positive. The message says what is wrong.
+ *         zero, if `chord_error` is not positive, and if areas do not add up because of rounding,
+ *         as where vertices nearly coincide. The message says what is wrong, and names the face
+ *         where areas are farthest off.
  * \throws std::length_error if `tmesh` has too many halfedges for 32-bit indices.
  *
  * It takes an exact search, and then the time to follow all lines once more, and to divide the

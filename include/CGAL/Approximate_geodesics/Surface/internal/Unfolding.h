@@ -223,8 +223,17 @@ class Winding
 {
 public:
   explicit Winding(const Intrinsic_triangulation& triangulation)
-    : m_may_return(triangulation.lines_may_return())
+    : m_may_return(triangulation.lines_may_return()),
+      m_number_of_edges(triangulation.number_of_halfedges() / 2)
   {
+  }
+
+  // Whether lines have crossed more edges than there are, and thus one of them twice, and are given
+  // up. Between faces without area, their number could double with each face, and they grow by no
+  // more than rounding errors. It is enough to ask at milestones.
+  bool is_over(const std::uint32_t depth) const
+  {
+    return !m_may_return && depth > m_number_of_edges;
   }
 
   // Whether the lines between two rays are given up at a halfedge, given an earlier one. The next
@@ -265,6 +274,7 @@ private:
   }
 
   bool m_may_return;
+  std::size_t m_number_of_edges;
 };
 
 } // namespace CGAL::Approximate_geodesics::internal

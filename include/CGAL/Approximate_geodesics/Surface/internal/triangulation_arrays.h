@@ -223,7 +223,9 @@ private:
 
   static bool is_extreme_needle(const Thin_face& face)
   {
-    constexpr double largest_aspect = 0x1p20; // of a needle, squared sides of which are these sums
+    // Rounding moves the ends of a short side by 2^-53 of their distance, and so turns it by that
+    // times the aspect. What is seen behind it is off by as much: below 1e-11 of the distance.
+    constexpr double largest_aspect = 0x1p14; // of a needle, squared sides of which are these sums
     const auto [a, b, c] = face.at_corner;
     const auto [shortest, longest] = std::minmax({a + b, b + c, c + a});
     return longest > largest_aspect * largest_aspect * shortest;

@@ -32,8 +32,8 @@ namespace CGAL::Approximate_geodesics {
  * barriers. The header is not part of `Solver.h`, as most programs do not need it.
  *
  * All member functions are thread-safe, and throw `std::invalid_argument` for points and faces that
- * do not exist, and where `approximate_geodesic_distances()` and `offset_curves()` do. They throw
- * `Solver_interrupted` if a watch ends the call.
+ * do not exist, and where `approximate_geodesic_distances()` and `offset_curves()` do; the latter
+ * also throws `std::length_error`. They throw `Solver_interrupted` if a watch ends the call.
  */
 class Solver_curves
 {

@@ -61,6 +61,13 @@ public:
   {
     expansion.expand(
         v, [&](const Straight_arc& arc) { f(arc.target, arc.length); }, visitor);
+    for_each_lost_edge(v, f);
+  }
+
+  // Calls `f(target, length)` for the edges from `v` that are in the mesh only.
+  template <typename F>
+  void for_each_lost_edge(const Index v, F f) const
+  {
     if(m_other && v < m_mesh.number_of_vertices())
       for(Index h = m_mesh.first_halfedge(v); h < m_mesh.beyond_halfedge(v); ++h)
         if(m_other->is_lost(h))

@@ -48,6 +48,10 @@ inline float round_up(const double x)
   return result;
 }
 
+// The middle of the lengths that are rounded up to this one: the line of an arc is nearer to it
+// than a line that is longer than its arc.
+inline double before_rounding_up(const double length) { return length * (1 - 0x1p-24); }
+
 // A unit in which arcs fit a `float`: a power of two near the longest edge.
 inline double unit_of_arcs(const Intrinsic_triangulation& triangulation)
 {

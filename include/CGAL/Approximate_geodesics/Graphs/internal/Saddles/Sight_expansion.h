@@ -8,6 +8,7 @@
 
 #include <CGAL/license/Approximate_geodesics.h>
 
+#include <CGAL/Approximate_geodesics/Base/internal/Loop.h>
 #include <CGAL/Approximate_geodesics/Graphs/internal/Saddles/Vertex_sights.h>
 
 #include <boost/config.hpp>
@@ -54,6 +55,7 @@ class Sight_expansion
   using Stack = boost::container::small_vector<Sight, 32>;
 
   static constexpr double rounding = Sight::ROUNDING;
+  static constexpr std::size_t PARTS_BETWEEN_CHECKS = 4096; // milliseconds
 
 public:
   Sight_expansion(const Sight_tables& tables, const double label_of_tip, Visitor& visitor)
@@ -177,6 +179,8 @@ private:
       return true;
     if(Winding::is_milestone(sight.depth))
     {
+      if(m_tables.winding.is_over(sight.depth))
+        return true;
       sight.milestone = sight.halfedge;
       append_milestone(sight.number_of_milestones++, sight.halfedge, sight.left, sight.right);
     }
@@ -340,6 +344,8 @@ private:
     }
     if(useful_side == 0)
     {
+      if(BOOST_UNLIKELY(++m_number_of_parts % PARTS_BETWEEN_CHECKS == 0))
+        check_for_interruption();
       m_stack.push_back(sight);
       m_stack.back().left_ray = between;
       if(!go_right(m_stack.back(), apex))
@@ -354,6 +360,7 @@ private:
   double m_label_of_tip;
   Visitor& m_visitor;
   Stack m_stack;
+  std::size_t m_number_of_parts = 0; // of sights that were divided
   // of the sight that is followed; those on the stack share the first of them
   boost::container::static_vector<Crossing, 33> m_milestones;
 };

@@ -59,7 +59,10 @@ public:
     for(std::size_t i = 0; i < m_ends.size(); ++i)
       m_sets.make_set(i);
     for(std::size_t i = 0; i < m_ends.size(); ++i)
+    {
+      check_for_interruption_at(i);
       m_ends[i] = place(i);
+    }
     join_at_vertices();
     join_on_edges();
     join_in_faces();
@@ -144,6 +147,7 @@ private:
     std::sort(list.begin(), list.end());
     for(auto it = list.begin(); it != list.end(); ++it)
     {
+      check_for_interruption_at(static_cast<std::size_t>(it - list.begin()));
       const auto& [face, x, end] = *it;
       const double tolerance = m_ends[end].tolerance;
       for(auto next = it + 1;

@@ -8,6 +8,7 @@
 
 #include <CGAL/license/Approximate_geodesics.h>
 
+#include <CGAL/Approximate_geodesics/Base/internal/Loop.h>
 #include <CGAL/Approximate_geodesics/Graphs/internal/Saddles/Face_windows.h>
 #include <CGAL/Approximate_geodesics/Queries/internal/Cells/Hyperbola_branch.h>
 #include <CGAL/Approximate_geodesics/Queries/internal/Cells/Window_cell.h>
@@ -65,6 +66,25 @@ inline bool differ_in_direction(const Plane_vector a, const Plane_vector b)
   return std::abs(cross(a, b)) > smallest_angle * size || (dot(a, b) < 0 && size > 0);
 }
 
+// How far areas of cells are from what is possible: none is negative, and those in a face are the
+// face. This is more than rounding where positions of windows are lost to it.
+struct Area_errors
+{
+  void add(const double error, const Index h)
+  {
+    sum += error;
+    if(error > largest)
+    {
+      largest = error;
+      face = h;
+    }
+  }
+
+  double area = 0; // of the faces
+  double sum = 0, largest = 0;
+  Index face = null_index; // the first halfedge of that with the largest error
+};
+
 /*
  * Divides faces among their windows: finds the areas of cells, the arcs of borders in the faces,
  * and the parts of their sides, which are sorted by side and along it.
@@ -75,11 +95,13 @@ public:
   Face_cells(const Intrinsic_triangulation& triangulation,
              const Cell_options& options,
              std::vector<double>& areas,
+             Area_errors& area_errors,
              std::vector<Border_arc>& arcs,
              std::vector<Side_part>& side_parts)
     : m_triangulation(triangulation),
       m_options(options),
       m_areas(areas),
+      m_area_errors(area_errors),
       m_arcs(arcs),
       m_side_parts(side_parts)
   {
@@ -102,6 +124,7 @@ public:
       return;
     for(std::size_t i = 0; i < 3; ++i)
       m_axes[i] = 1 / length(m_edges[i]) * m_edges[i];
+    m_area_errors.area += m_doubled_area / 2;
     m_windows.clear();
     for(Iterator it = first; it != beyond; ++it)
       m_windows.push_back(placed(*it));
@@ -161,16 +184,24 @@ private:
   void divide()
   {
     Window_cell cell(m_corners, m_windows);
+    double rest = m_doubled_area / 2, error = 0;
     for(std::size_t i = 0; i < m_windows.size(); ++i)
     {
+      check_for_interruption();
       cell.find(i);
-      report(cell, i);
+      const double area = report(cell, i);
+      m_areas[m_windows[i].source] += area;
+      error += (std::max)(-area, 0.);
+      rest -= area;
     }
+    m_area_errors.add(error + std::abs(rest), m_face);
   }
 
-  void report(const Window_cell& cell, const std::size_t number)
+  // Returns the area of the cell.
+  double report(const Window_cell& cell, const std::size_t number)
   {
     const Placed_window& w = cell.window();
+    double result = 0;
     for(const Cell_piece& piece : cell.pieces())
     {
       if(piece.end == Cell_end::ENTRY)
@@ -183,25 +214,25 @@ private:
         begin = {cell.entry().point(piece.range.begin), cell.entry().point(piece.range.end)};
         add_side_part(w.entry, begin.second, begin.first, w);
       }
-      add_area(w, piece, begin, end);
+      result += area(w, piece, begin, end);
       if(piece.is_side())
         add_side_part(static_cast<std::size_t>(piece.end), end.first, end.second, w);
       else if(is_wanted(piece, number))
         add_arc(piece, number, end);
     }
+    return result;
   }
 
   // The area between the side that the window is seen through and the piece.
-  void add_area(const Placed_window& w,
-                const Cell_piece& piece,
-                const Segment& begin,
-                const Segment& end)
+  double area(const Placed_window& w,
+              const Cell_piece& piece,
+              const Segment& begin,
+              const Segment& end) const
   {
-    double area = cross(end.first - begin.second, end.second - begin.first) / 2;
+    double result = cross(end.first - begin.second, end.second - begin.first) / 2;
     if(piece.end == Cell_end::EQUAL_DISTANCE)
-      area += branch(w, m_windows[piece.other]).area_beside_chord(end.first, end.second);
-    if(std::isfinite(area))
-      m_areas[w.source] += area;
+      result += branch(w, m_windows[piece.other]).area_beside_chord(end.first, end.second);
+    return std::isfinite(result) ? result : 0;
   }
 
   void add_side_part(const std::size_t side,
@@ -285,6 +316,7 @@ private:
   const Intrinsic_triangulation& m_triangulation;
   const Cell_options& m_options;
   std::vector<double>& m_areas;
+  Area_errors& m_area_errors;
   std::vector<Border_arc>& m_arcs;
   std::vector<Side_part>& m_side_parts;
   Index m_face = 0;

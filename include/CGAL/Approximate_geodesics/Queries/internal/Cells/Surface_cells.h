@@ -9,12 +9,14 @@
 #include <CGAL/license/Approximate_geodesics.h>
 
 #include <CGAL/Approximate_geodesics/Base/internal/Loop.h>
+#include <CGAL/Approximate_geodesics/Base/internal/messages.h>
 #include <CGAL/Approximate_geodesics/Graphs/Saddle_vertex_graph.h>
 #include <CGAL/Approximate_geodesics/Paths/Surface_search.h>
 #include <CGAL/Approximate_geodesics/Queries/internal/Cells/Cell_network.h>
 
 #include <algorithm>
 #include <cstddef>
+#include <string>
 #include <utility>
 #include <vector>
 
@@ -36,14 +38,16 @@ public:
       m_areas(search.sources().size(), 0),
       m_owners(m_triangulation),
       m_first_parts(m_triangulation.number_of_halfedges(), NONE),
-      m_cells(m_triangulation, m_options, m_areas, m_arcs, m_parts)
+      m_cells(m_triangulation, m_options, m_areas, m_area_errors, m_arcs, m_parts)
   {
     find_windows(search);
     divide_faces();
+    check_areas();
     for(std::size_t i = m_parts.size(); i-- > 0;)
       m_first_parts[m_parts[i].halfedge] = i;
     for(Index h = 0; h < m_triangulation.number_of_halfedges(); ++h)
     {
+      check_for_interruption_at(h);
       const Index opposite = m_triangulation.opposite(h);
       if(h < opposite && !m_triangulation.is_border(h) && !m_triangulation.is_border(opposite))
         compare_sides(h, opposite);
@@ -141,10 +145,21 @@ private:
     }
   }
 
+  void check_areas() const
+  {
+    constexpr double rounding = 1e-6; // more would be seen
+    if(!(m_area_errors.sum <= rounding * m_area_errors.area))
+      reject("areas of cells do not add up in " + m_triangulation.name_of_face(m_area_errors.face) +
+             ": rounding errors are too large there, as vertices nearly coincide, or faces have "
+             "nearly no area");
+  }
+
   void fill(const Index h, const std::size_t source)
   {
     const Face_layout layout(m_triangulation, h);
-    m_areas[source] += cross(layout.edge(0, 1), layout.edge(1, 2)) / 2;
+    const double area = cross(layout.edge(0, 1), layout.edge(1, 2)) / 2;
+    m_areas[source] += area;
+    m_area_errors.area += area;
     m_owners.set(h, source);
   }
 
@@ -216,6 +231,7 @@ private:
   const Intrinsic_triangulation& m_triangulation;
   const Cell_options m_options;
   std::vector<double> m_areas;
+  Area_errors m_area_errors;
   std::vector<Face_window> m_windows;
   Face_owners m_owners; // NONE if there are several
   std::vector<Border_arc> m_arcs;

@@ -200,6 +200,7 @@ public:
   // search, which takes far longer. Takes less time the better the estimate.
   double distance(const Intrinsic_point& point, const double estimate) const
   {
+    check_for_interruption();
     double result = distance_over_edges(point, estimate + m_negligible_error);
     if(result < infinity)
       return result;

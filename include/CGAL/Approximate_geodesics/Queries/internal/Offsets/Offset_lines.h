@@ -8,6 +8,7 @@
 
 #include <CGAL/license/Approximate_geodesics.h>
 
+#include <CGAL/Approximate_geodesics/Base/internal/Loop.h>
 #include <CGAL/Approximate_geodesics/Surface/Intrinsic_point.h>
 
 #include <algorithm>
@@ -54,6 +55,7 @@ public:
     for(const bool is_closed : {false, true}) // those that end at a border come first
       for(std::size_t i = 0; i < m_points.size(); ++i)
       {
+        check_for_interruption_at(i);
         if(is_done[i] || (!is_closed && m_points[i].has_previous))
           continue;
         Offset_line line{m_points[i].number, is_closed, {}};

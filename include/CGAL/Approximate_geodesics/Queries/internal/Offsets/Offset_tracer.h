@@ -9,6 +9,7 @@
 #include <CGAL/license/Approximate_geodesics.h>
 
 #include <CGAL/Approximate_geodesics/Base/internal/Loop.h>
+#include <CGAL/Approximate_geodesics/Base/internal/messages.h>
 #include <CGAL/Approximate_geodesics/Queries/internal/Offsets/Distances_in_face.h>
 #include <CGAL/Approximate_geodesics/Queries/internal/Offsets/Distances_on_edges.h>
 #include <CGAL/Approximate_geodesics/Queries/internal/Offsets/Offset_lines.h>
@@ -20,6 +21,8 @@
 #include <cmath>
 #include <cstddef>
 #include <cstdint>
+#include <stdexcept>
+#include <string>
 #include <unordered_map>
 #include <utility>
 #include <vector>
@@ -41,12 +44,22 @@ public:
   // `distances` are sorted. `step` is what errors are relative to. Both are in the unit of the
   // mesh. The search has gone farther than the largest distance by more than an edge.
   Offset_tracer(const Search& search, std::vector<double> distances, const double step)
+    : Offset_tracer(search, distances, step, most_parts(search, distances.size()))
+  {
+  }
+
+  // Divides faces into no more than that many parts.
+  Offset_tracer(const Search& search,
+                std::vector<double> distances,
+                const double step,
+                const std::size_t most_parts)
     : m_search(search),
       m_triangulation(search.graph().triangulation()),
       m_step(step / m_triangulation.unit()),
       m_smallest((std::max)(m_step / 4, longest_edge(m_triangulation) * SMALLEST_PART)),
       m_on_edges(search, LARGEST_ERROR * m_step),
       m_distances(std::move(distances)),
+      m_most_parts(most_parts),
       m_middles(m_triangulation),
       m_first_crossings(m_triangulation)
   {
@@ -57,7 +70,10 @@ public:
   std::vector<Offset_line> trace()
   {
     for(Index v = 0; v < m_triangulation.number_of_vertices(); ++v)
+    {
+      check_for_interruption_at(v);
       m_values.push_back(m_search.distance(Intrinsic_point::at_vertex(v)) / m_triangulation.unit());
+    }
     const std::vector<bool> is_source = faces_of_sources();
     for(Index h = 0; h < m_triangulation.number_of_halfedges(); ++h)
       if(!m_triangulation.is_border(h) && m_triangulation.first_of_face(h) == h && !is_source[h])
@@ -109,6 +125,15 @@ private:
 
   // How often a triangle is divided at most, as a safeguard: sides are too short before.
   static constexpr int DEEPEST = 64;
+
+  // Some hundred thousand in any case, as few faces may have long curves, and thousands for each
+  // face and distance: more than curves need unless steps are far smaller than edges.
+  static std::size_t most_parts(const Search& search, const std::size_t number_of_distances)
+  {
+    constexpr std::size_t in_any_case = 1 << 18, of_a_face = 1 << 12;
+    return in_any_case +
+           of_a_face * number_of_distances * search.graph().triangulation().number_of_faces();
+  }
 
   static double longest_edge(const Intrinsic_triangulation& t)
   {
@@ -163,9 +188,20 @@ private:
     m_first_crossings.forget_lines_in_face();
   }
 
+  // Counts a part of the present face, or of one of its sides.
+  void count_part()
+  {
+    check_for_interruption_at(m_number_of_parts++);
+    if(m_number_of_parts > m_most_parts)
+      throw std::length_error(name_of_package() + "offset curves take more than " +
+                              std::to_string(m_most_parts) + " parts of faces, the last one in " +
+                              m_triangulation.name_of_face(m_face) +
+                              "; fewer distances, or a larger difference between them, take fewer");
+  }
+
   void divide(const Triangle& t, const Sides& sides, const int depth)
   {
-    check_for_interruption_at(m_number_of_triangles++);
+    count_part();
     const auto [low, high] = range(t);
     const double reach = (std::max)({sides[0].length, sides[1].length, sides[2].length});
     if(!has_isoline(low - reach, high + reach))
@@ -239,7 +275,10 @@ private:
     const auto [low, high] = std::minmax(m_values[a.number], m_values[b.number]);
     const double reach = side.length + width;
     if(depth == DEEPEST || !is_long(a, b, side.length) || !has_isoline(low - reach, high + reach))
+    {
+      count_part();
       return parts.push_back({a, b, side, depth});
+    }
     const Corner m = middle(a, b, side);
     add_parts(a, m, side.first_half(), width, depth + 1, parts);
     add_parts(m, b, side.second_half(), width, depth + 1, parts);
@@ -500,12 +539,13 @@ private:
   const double m_step, m_smallest;
   Distances_on_edges<Search> m_on_edges;
   std::vector<double> m_distances;
+  const std::size_t m_most_parts;
   Index m_face = null_index; // a halfedge of the present one
   Index m_face_of_distances = null_index;
   Distances_in_face m_in_face;  // of that face
   std::vector<double> m_values; // of corners; those of the vertices come first
   Numbers_of_sides m_middles, m_first_crossings;
-  std::size_t m_number_of_triangles = 0;
+  std::size_t m_number_of_parts = 0; // of faces and of their sides
   Offset_lines m_lines;
   std::vector<double> m_parts; // of the way along the side that a point of a line is on, by point
 };
