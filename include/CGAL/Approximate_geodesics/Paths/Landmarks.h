@@ -72,7 +72,7 @@ public:
    * \throws std::invalid_argument if `number` is `0`.
    *
    * Run time is that of two searches of the graph for each landmark, of one or a few to find the
-   * largest connected part, and of looking at all arcs twice. Memory is 8 bytes per node and
+   * largest connected part, and of looking at all arcs. Memory is 8 bytes per node and
    * landmark; meanwhile, also that of a workspace and 20 bytes per node.
    */
   explicit Landmarks(const SurfaceGraph& graph, std::size_t number = DEFAULT_NUMBER);
@@ -94,7 +94,10 @@ public:
   Heuristic to(const Intrinsic_point& goal) const { return Heuristic(*this, goal); }
 
   /// returns the number of bytes that the distances take.
-  std::size_t memory() const { return internal::memory_of(m_nodes, m_distance); }
+  std::size_t memory() const
+  {
+    return internal::memory_of(m_nodes, m_distance, m_dead_ends, m_nearest, m_farthest);
+  }
 
 private:
   using Search = Propagation<SurfaceGraph>;
@@ -114,6 +117,18 @@ private:
     return m_distance.data() + std::size_t(node) * m_nodes.size();
   }
 
+  // Calls `f(nearest, farthest)` with the distances of a node from all landmarks as an end of
+  // paths.
+  template <typename F>
+  void as_end(const Node node, const F& f) const
+  {
+    const auto end = std::lower_bound(m_dead_ends.begin(), m_dead_ends.end(), node);
+    if(end == m_dead_ends.end() || *end != node)
+      return f(distances(node), distances(node));
+    const auto row = static_cast<std::size_t>(end - m_dead_ends.begin()) * m_nodes.size();
+    f(m_nearest.data() + row, m_farthest.data() + row);
+  }
+
   // Returns the farthest node of the largest connected part, as seen from one of its nodes.
   static Node first_landmark(Search& search);
 
@@ -130,15 +145,19 @@ private:
   void find_distances(Search& search, Node first);
   void add(Search& search, Node landmark, std::size_t i);
   Node next_landmark(Search& search, Node root, std::size_t number) const;
-  void forget_dead_ends();
-  bool leads_back() const;
+  void check_arcs();
+  void set_apart(const std::vector<bool>& is_dead_end);
   double largest_difference(Node a, Node b, std::size_t number) const; // from the first landmarks
 
   const SurfaceGraph* m_graph;
   std::vector<Node> m_nodes;      // the landmarks
   std::vector<double> m_distance; // from each of them, in units of the graph, node by node
-  double m_largest = 0;           // of the distances
-  double m_part_of_way_back = 0;  // the way there, as part of the way back; 0 if it is not known
+  // The nodes that paths do not lead through, their distances, and the largest ones of the nodes
+  // before them, less the arcs from there.
+  std::vector<Node> m_dead_ends;
+  std::vector<double> m_nearest, m_farthest;
+  double m_largest = 0;          // of the distances
+  double m_part_of_way_back = 0; // the way there, as part of the way back; 0 if it is not known
   std::size_t m_number_of_changes;
 };
 
@@ -188,18 +207,21 @@ private:
     internal::attach_target(*landmarks.m_graph, goal)
         .for_each_node([this](const Node node, const double length) {
           if(length < internal::infinity)
-            add_line(m_landmarks.distances(node), length);
+            m_landmarks.as_end(node,
+                               [&](const double* const nearest, const double* const farthest) {
+                                 add_line(nearest, farthest, length);
+                               });
         });
-    for(std::size_t i = 0; i < m_smallest.size(); ++i)
-      if(std::isinf(m_smallest[i]) || std::isinf(m_largest[i]))
-        m_smallest[i] = m_largest[i] = unknown;
+    for(std::vector<double>* const values : {&m_smallest, &m_largest})
+      std::replace_if(
+          values->begin(), values->end(), [](const double d) { return std::isinf(d); }, unknown);
   }
 
-  void add_line(const double* const from, const double length)
+  void add_line(const double* const nearest, const double* const farthest, const double length)
   {
     for(std::size_t i = 0; i < m_smallest.size(); ++i)
     {
-      const double sum = from[i] + length, difference = from[i] - length;
+      const double sum = nearest[i] + length, difference = farthest[i] - length;
       m_smallest[i] = sum < m_smallest[i] ? sum : m_smallest[i];
       m_largest[i] = difference > m_largest[i] ? difference : m_largest[i];
     }
@@ -225,8 +247,7 @@ Landmarks<SurfaceGraph>::Landmarks(const SurfaceGraph& graph, const std::size_t 
     return;
   Search search(graph);
   find_distances(search, first_landmark(search));
-  forget_dead_ends();
-  m_part_of_way_back = leads_back() ? 1 / (1 + graph.asymmetry()) : 0;
+  check_arcs();
 }
 
 template <typename SurfaceGraph>
@@ -335,40 +356,60 @@ double Landmarks<SurfaceGraph>::largest_difference(const Node a,
 }
 
 // Where a search from a landmark has not followed an arc, paths do not lead through the node that
-// it starts from. Bounds for paths from there would be those of another node.
+// it starts from. If distances say that the way back along any other arc is longer than the graph
+// does, nothing is known of ways back.
 template <typename SurfaceGraph>
-void Landmarks<SurfaceGraph>::forget_dead_ends()
+void Landmarks<SurfaceGraph>::check_arcs()
 {
-  std::vector<bool> is_dead_end(m_graph->number_of_nodes());
+  const double ratio = 1 + m_graph->asymmetry();
+  std::vector<bool> is_dead_end(m_graph->number_of_nodes()), has_long_way_back(is_dead_end);
   internal::for_each_arc(*m_graph, [&](const Node node, const Node target, const double length) {
     const double *const from = distances(node), *const to = distances(target);
+    const double way = length + rounding(), way_back = ratio * length + rounding();
+    bool is_followed = true, leads_back = true;
     for(std::size_t i = 0; i < m_nodes.size(); ++i)
     {
-      const double sum = from[i] + length + rounding();
-      if(sum < internal::infinity && !(to[i] <= sum))
-        is_dead_end[node] = true;
+      is_followed &= !(from[i] + way < internal::infinity) | (to[i] <= from[i] + way);
+      leads_back &= !(from[i] > to[i] + way_back);
     }
+    if(!is_followed)
+      is_dead_end[node] = true;
+    if(!leads_back)
+      has_long_way_back[target] = true;
   });
-  for(std::size_t i = 0; i < m_distance.size(); ++i)
-    if(is_dead_end[i / m_nodes.size()])
-      m_distance[i] = unknown;
+  set_apart(is_dead_end);
+  for(const Node node : m_dead_ends)
+    has_long_way_back[node] = false;
+  if(std::find(has_long_way_back.begin(), has_long_way_back.end(), true) == has_long_way_back.end())
+    m_part_of_way_back = 1 / ratio;
 }
 
-// Whether distances say that the way back along each arc is as short as the graph does.
+// Keeps the distances of dead ends for paths that end there. Bounds for paths from there would be
+// those of another node.
 template <typename SurfaceGraph>
-bool Landmarks<SurfaceGraph>::leads_back() const
+void Landmarks<SurfaceGraph>::set_apart(const std::vector<bool>& is_dead_end)
 {
-  const double longest_way_back = 1 + m_graph->asymmetry(); // along an arc of length 1
-  if(!(longest_way_back < internal::infinity))
-    return false;
-  bool result = true;
+  std::vector<std::size_t> row(is_dead_end.size());
+  for(Node node = 0; node < is_dead_end.size(); ++node)
+    if(is_dead_end[node])
+    {
+      row[node] = m_nearest.size();
+      m_dead_ends.push_back(node);
+      m_nearest.insert(m_nearest.end(), distances(node), distances(node) + m_nodes.size());
+      std::fill_n(m_distance.data() + std::size_t(node) * m_nodes.size(), m_nodes.size(), unknown);
+    }
+  if(m_dead_ends.empty())
+    return;
+  m_farthest.assign(m_nearest.size(), -internal::infinity);
   internal::for_each_arc(*m_graph, [&](const Node node, const Node target, const double length) {
-    const double *const from = distances(node), *const to = distances(target);
+    if(!is_dead_end[target])
+      return;
+    const double way_back = (1 + m_graph->asymmetry()) * length;
     for(std::size_t i = 0; i < m_nodes.size(); ++i)
-      if(from[i] > to[i] + longest_way_back * length + rounding())
-        result = false;
+      if(const double distance = distances(node)[i] - way_back;
+         distance > m_farthest[row[target] + i])
+        m_farthest[row[target] + i] = distance;
   });
-  return result;
 }
 
 } // namespace CGAL::Approximate_geodesics
