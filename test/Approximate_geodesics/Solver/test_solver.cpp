@@ -280,7 +280,7 @@ TEST(Solver, saves_directional_costs)
 TEST(Solver, keeps_a_limit_of_slopes_in_files)
 {
   const Soup_arrays arrays = slope();
-  std::vector<double> weights(arrays.number_of_faces(), 2);
+  const std::vector<double> weights(arrays.number_of_faces(), 2);
   Solver_options options = bound(0.5);
   options.accept_weaker_bound = true;
   const Values free = solver_distances(Solver_of(arrays, options));
