@@ -135,9 +135,10 @@ public:
    *         not a number, a finite friction or the length of a line is not below 1e150, a height is
    *         not below 1e100, `epsilon` is not a finite number above `0`, latitudes are not from 90
    *         to -90 degrees, the ellipsoid has no size above `0`, or a periodic grid has fewer than
-   * 31 columns or, in degrees, does not span 360 of them. Searches throw it if a function of cell
-   * and direction returns such a cost then. \throws std::length_error if there are more than
-   * \f$2^{32} - 1\f$ nodes, or more than 1000 points on a side.
+   *         31 columns or, in degrees, does not span 360 of them. Searches throw it if a function of
+   *         cell and direction returns such a cost then.
+   * \throws std::length_error if there are more than \f$2^{32} - 1\f$ nodes, or more than 1000
+   *         points on a side.
    *
    * Run time and memory are \cgalBigO{n} for `n` cells, plus the square of the number of points on
    * the border of a cell.
