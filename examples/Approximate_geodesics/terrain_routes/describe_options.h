@@ -101,7 +101,8 @@ inline po::options_description describe_output(Options& options)
   add("colors", po::value(&options.colors)->default_value("uniform")->value_name("NAME"),
       "the colors of costs in the picture: uniform, whose steps look equally large; or rainbow, "
       "from cold to hot");
-  add("help,h", po::bool_switch(&options.asks_for_help), "print this text");
+  add("help,h", po::bool_switch(&options.asks_for_help),
+      "print this text; --version prints the version");
   return result;
 }
 

@@ -68,10 +68,9 @@ public:
       lines("_isochrones.geojson", write_isochrones);
     if(m_options.draws)
       draw_picture(m_options.output, files.add(name(".png")), m_options.colors, answer);
-    files.put_in_place();
     for(const std::string& file : stale_files())
-      if(std::error_code error; !std::filesystem::remove(file, error) && error)
-        fail_to("remove", file, error.value());
+      files.remove(file);
+    files.put_in_place();
   }
 
   void print(std::ostream& out) const

@@ -4,6 +4,7 @@
 #include "../../command_line/New_files.h"
 #include "../../command_line/quoted_for_shell.h"
 #include "../../command_line/read_options.h"
+#include "../../command_line/script_file.h"
 #include "../Answer.h"
 #include "write_lines.h"
 
@@ -292,8 +293,8 @@ inline void draw_picture(const std::string& name,
   add("routes", write_routes_for_gnuplot);
   add("sources", write_sources_for_gnuplot);
   add("targets", write_targets_for_gnuplot);
-  const std::string command =
-      "gnuplot -e " + quoted_for_shell(variables) + ' ' + quoted_for_shell(DRAW_ROUTES_SCRIPT);
+  const std::string command = "gnuplot -e " + quoted_for_shell(variables) + ' ' +
+                              quoted_for_shell(script_file(DRAW_ROUTES_SCRIPT));
   if(std::system(command.c_str()) != 0)
     throw std::runtime_error("no picture was drawn: what went wrong is told above");
 }
