@@ -107,6 +107,8 @@ TEST(Periodic_grid, has_heights_and_directions_of_copies)
     const Grid_shape shape = periodic({33, 12, 10, 12, std::nan("")});
     const Grid_cell source{random.below(shape.columns), 5};
     Cell_values h = values_of_cells(shape, [&](double, double) { return random.between(0, 9); });
+    const Cell_values all = h; // what stands for missing ones depends on neighbors of the copies
+    const Cell_values all_of_three = three_of(shape, all);
     for(std::size_t i = 0; i < 40; ++i)
       h[random.below(h.size())] = std::nan("");
     h[shape.index(source)] = 3;
@@ -115,6 +117,10 @@ TEST(Periodic_grid, has_heights_and_directions_of_copies)
     expect_equal(costs_of_cells(shape, 1, source, heights(h).face_weight_map(hiking)),
                  least_of_copies(shape, source, [&](const Grid_shape& s, const Grid_cell& c) {
                    return costs_of_cells(s, 1, c, heights(h_of_three).face_weight_map(hiking));
+                 }));
+    expect_equal(costs_of_cells(shape, 1, source, heights(all).max_slope(0.4)),
+                 least_of_copies(shape, source, [&](const Grid_shape& s, const Grid_cell& c) {
+                   return costs_of_cells(s, 1, c, heights(all_of_three).max_slope(0.4));
                  }));
     const auto wind = [&](const Grid_cell& cell, const Grid_vector& d) {
       return 2 + d.x() * std::sin(0.7 * static_cast<double>(cell.column % shape.columns)) + d.z();

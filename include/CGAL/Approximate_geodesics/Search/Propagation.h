@@ -211,9 +211,9 @@ public:
    * \param heuristic a model of the concept `AStarHeuristic` of the Boost Graph Library, which is a
    *        function object called with a `Node`. It returns a lower bound of the distance from this
    *        node to the goal, in units of the graph. It should be consistent: for each arc, the
-   * value at its start is at most the length of the arc plus the value at its end. If it is not,
-   *        the distance of the goal is the same, but nodes may be expanded again. Rounding errors
-   *        are tolerated.
+   *        value at its start is at most the length of the arc plus the value at its end. If it is
+   *        not, the distance of the goal is the same, but nodes may be expanded again. Rounding
+   *        errors are tolerated.
    * \param find_entries finds the seeds, for lines that are found from upper bounds
    *
    * \throws std::invalid_argument as `run()` does.
