@@ -148,12 +148,13 @@ TEST_F(Interrupted_pairs, that_are_led_around_barriers)
   search.run({});
   for(const auto& [source, target] : pairs)
     expect_survival<Values>({[] { return Values(); },
-                             [&, s = source, t = target](Values& values) {
-                               search.run_to(t, {{s}});
-                               values = {search.distance(t)};
+                             [&, s = source, t = target](Values&) { search.run_to(t, {{s}}); },
+                             [&, t = target](Values&) {
+                               const Values result = {search.distance(t)};
                                search.run({});
+                               return result;
                              },
-                             [](Values& values) { return values; }, is_forgotten});
+                             is_forgotten});
 }
 
 } // namespace
