@@ -489,7 +489,7 @@ protected:
   void summarize_arcs()
   {
     m_arc_lengths = arcs().along_edges();
-    m_may_have_free_arcs = !Costs::are_symmetric || m_arc_lengths.shortest == 0;
+    m_may_have_free_arcs = Costs::are_some_free(m_triangulation);
     m_number_of_changes = m_changes.number();
   }
 

@@ -106,6 +106,15 @@ public:
     return triangulation.gauges().unit();
   }
 
+  // Returns whether any direction is free. Gauges with a formula have none.
+  static bool are_some_free(const Intrinsic_triangulation& triangulation)
+  {
+    const auto& sectors = triangulation.gauges().all_sectors();
+    return std::any_of(sectors.begin(), sectors.end(), [](const Face_gauges::Sector& s) {
+      return s.is_finite() && !(dot(s.functional, s.direction) > 0);
+    });
+  }
+
   // Returns the cost per unit of length along `h`, or against its direction on its left side.
   double along(const Index h, const bool is_forward) const
   {

@@ -56,6 +56,15 @@ public:
     return triangulation.weight_unit();
   }
 
+  // Returns whether any face is free.
+  static bool are_some_free(const Intrinsic_triangulation& triangulation)
+  {
+    for(Index h = 0; triangulation.has_weights() && h < triangulation.number_of_halfedges(); ++h)
+      if(triangulation.weight(h) == 0)
+        return true;
+    return false;
+  }
+
   // ----- straight lines in the face to the left of `h`
 
   // Returns the positions of its corners, from the source of `h` on.
