@@ -30,7 +30,7 @@ namespace {
 
 namespace AG = CGAL::Approximate_geodesics;
 using namespace geodesics_test;
-using Our_shortest_paths = AG::Surface_mesh_shortest_path<Mesh>; // only header and type differ
+using Our_exact_paths = AG::Surface_mesh_shortest_path<Mesh>; // only header and type differ
 using Paths_across_faces = AG::Surface_mesh_shortest_path<Mesh, AG::Discrete_geodesic_graph>;
 
 constexpr double TOLERANCE = 1e-6; // lengths of arcs may be rounded up to a `float`
@@ -75,11 +75,11 @@ struct Names_of_classes
   static std::string GetName(int)
   {
     return std::is_same_v<Shortest_paths, Exact_shortest_paths> ? "exact"
-           : std::is_same_v<Shortest_paths, Our_shortest_paths> ? "ours"
+           : std::is_same_v<Shortest_paths, Our_exact_paths> ? "ours"
                                                                 : "ours_across_faces";
   }
 };
-using Classes = testing::Types<Our_shortest_paths, Paths_across_faces, Exact_shortest_paths>;
+using Classes = testing::Types<Our_exact_paths, Paths_across_faces, Exact_shortest_paths>;
 TYPED_TEST_SUITE(Both, Classes, Names_of_classes);
 
 TYPED_TEST(Both, keep_iterators_valid)
@@ -297,7 +297,7 @@ TEST(Our_class, is_exact_if_no_graph_is_named)
     const Mesh mesh = to_mesh(soup);
     const Vertex source(static_cast<Mesh::size_type>(random.below(mesh.number_of_vertices())));
     const std::vector<double> exact = exact_distances(mesh, source);
-    Our_shortest_paths paths(mesh);
+    Our_exact_paths paths(mesh);
     paths.add_source_point(source);
     for(const Vertex v : mesh.vertices())
     {
