@@ -75,7 +75,7 @@ struct Names_of_classes
   static std::string GetName(int)
   {
     return std::is_same_v<Shortest_paths, Exact_shortest_paths> ? "exact"
-           : std::is_same_v<Shortest_paths, Our_exact_paths> ? "ours"
+           : std::is_same_v<Shortest_paths, Our_exact_paths>    ? "ours"
                                                                 : "ours_across_faces";
   }
 };
