@@ -38,11 +38,11 @@ using CGAL::parameters::heights;
 
 // ----- walls
 
-double cost_across(const Grid_shape& shape,
-                   const Cell_values& height,
-                   const double limit,
-                   const Grid_cell& from,
-                   const Grid_cell& to)
+double limited_cost(const Grid_shape& shape,
+                    const Cell_values& height,
+                    const double limit,
+                    const Grid_cell& from,
+                    const Grid_cell& to)
 {
   std::vector<Grid_point> path;
   return CGAL::approximate_geodesic_path_on_grid(shape, 1, std::back_inserter(path), from, to,
@@ -60,8 +60,8 @@ TEST(Max_slope_on_grids, makes_a_wall_a_wall)
       shape, [](const double x, const double y) { return std::abs(x - y) < 1 ? 100. : 0.; });
   for(const Cell_values* const wall : {&step, &ridge, &diagonal})
   {
-    EXPECT_EQ(no_way, cost_across(shape, *wall, 0.6, {2, 20}, {37, 20}));
-    EXPECT_LT(cost_across(shape, *wall, 20, {2, 20}, {37, 20}), 1000);
+    EXPECT_EQ(no_way, limited_cost(shape, *wall, 0.6, {2, 20}, {37, 20}));
+    EXPECT_LT(limited_cost(shape, *wall, 20, {2, 20}, {37, 20}), 1000);
   }
   // what a cost of infinity does not forbid
   const auto forbid = [](const double s) { return std::abs(s) <= 0.6 ? 1. : no_way; };
@@ -81,10 +81,10 @@ TEST(Max_slope_on_grids, leads_round_a_hill)
     return is_on_ramp ? std::clamp(top + 0.4 * (10 - r), 0., top) : r < 10 ? top : 0.;
   });
   const Grid_cell east{58, 30}, top{30, 30}, west{1, 30};
-  const double straight = cost_across(shape, height, 0.5, west, top);
+  const double straight = limited_cost(shape, height, 0.5, west, top);
   EXPECT_NEAR(28 + 30 * std::hypot(1, 0.4), straight, 1.5); // where the ramp begins and ends
-  EXPECT_GT(cost_across(shape, height, 0.5, east, top), straight + 56);
-  EXPECT_EQ(no_way, cost_across(shape, height, 0.02, east, top));
+  EXPECT_GT(limited_cost(shape, height, 0.5, east, top), straight + 56);
+  EXPECT_EQ(no_way, limited_cost(shape, height, 0.02, east, top));
 }
 
 // ----- planes
@@ -113,9 +113,9 @@ TEST(Max_slope_on_grids, makes_paths_zigzag_at_centers_on_a_plane)
     }
     EXPECT_NEAR(found[i], back[i], 1e-9 * found[i]);
   }
-  const double exact = cost_across(shape, height, steepness, {40, 5}, {40, 55});
+  const double exact = limited_cost(shape, height, steepness, {40, 5}, {40, 55});
   EXPECT_NEAR(std::hypot(250, 125), exact, 1e-9); // a slope that is the limit is within it
-  EXPECT_LT(exact, 0.997 * cost_across(shape, height, 0.499, {40, 5}, {40, 55}));
+  EXPECT_LT(exact, 0.997 * limited_cost(shape, height, 0.499, {40, 5}, {40, 55}));
 }
 
 // ----- an oracle

@@ -23,6 +23,7 @@
 #include <iterator>
 #include <limits>
 #include <queue>
+#include <stdexcept>
 #include <tuple>
 #include <utility>
 #include <vector>
@@ -37,7 +38,7 @@ using CGAL::parameters::heights;
 
 // ----- grids
 
-double length_of(const std::vector<Grid_point>& path)
+double length_of_path(const std::vector<Grid_point>& path)
 {
   double result = 0;
   for(std::size_t i = 1; i < path.size(); ++i)
@@ -55,7 +56,7 @@ std::pair<double, double> cost_and_length(const Grid_shape& shape,
   std::vector<Grid_point> path;
   const double cost = CGAL::approximate_geodesic_path_on_grid(
       shape, friction, std::back_inserter(path), from, to, np...);
-  return {cost, length_of(path)};
+  return {cost, length_of_path(path)};
 }
 
 TEST(Free_ways, are_straight_where_all_cells_are_free)
@@ -118,6 +119,65 @@ TEST(Free_ways, are_the_shorter_ones_of_those_that_cost_the_same)
                                                 {36, is_mirrored ? 18u : 22u});
     EXPECT_EQ(1, cost);
     EXPECT_NEAR(32 + 2 * 5 - 2 * (2 - std::sqrt(2)), length, 1e-9); // two corners are cut
+  }
+}
+
+// ----- questions in the middle of a run
+
+template <typename Search>
+struct Asking_visitor : AG::Geodesic_visitor_base
+{
+  explicit Asking_visitor(const Search& the_search) : search(the_search) {}
+
+  void on_settled(const typename Search::Node node, double /* distance */)
+  {
+    if(++number_settled < first_question)
+      return;
+    search.predecessor(node);
+    search.source(node);
+    if(throws)
+      throw std::runtime_error("from the visitor");
+  }
+
+  const Search& search;
+  std::size_t first_question = 10;
+  bool throws = false;
+  std::size_t number_settled = 0;
+};
+
+TEST(Free_ways, do_not_depend_on_questions_during_a_run)
+{
+  using Graph = Steiner_graph<AG::Fixed_number_of_points>;
+  using Search = AG::Propagation<Graph, AG::Binary_heap_queue>;
+  const Mesh mesh = to_mesh(flat_grid(6, 7));
+  Weights weights(mesh.number_of_faces(), 0);
+  for(std::size_t i = 0; i < weights.size(); i += 3)
+    weights[i] = 1;
+  const Graph graph(Triangulation(mesh, with_weights(weights)), AG::Fixed_number_of_points(2));
+  const std::vector<AG::Seed> three{{0, 0, 1}, {41, 2.5, 2}, {30, 1.7, 3}}, one{{20, 0, 7}};
+  const auto expect_same = [&](const Search& asked, const Search& other) {
+    for(Search::Node node = 0; node < graph.number_of_nodes(); ++node)
+    {
+      EXPECT_EQ(other.predecessor(node), asked.predecessor(node));
+      EXPECT_EQ(other.source(node), asked.source(node));
+    }
+  };
+  for(const bool throws : {false, true})
+  {
+    Search asked(graph), other(graph);
+    Asking_visitor<Search> visitor(asked);
+    visitor.throws = throws;
+    if(throws)
+      EXPECT_THROW(asked.run(three, AG::Stop_rule(), visitor), std::runtime_error);
+    else
+    {
+      asked.run(three, AG::Stop_rule(), visitor);
+      other.run(three);
+      expect_same(asked, other);
+    }
+    asked.run(one);
+    other.run(one);
+    expect_same(asked, other);
   }
 }
 
@@ -260,7 +320,7 @@ AG::Intrinsic_point random_place(const Triangulation& t, Random& random)
                               : AG::Intrinsic_point::in_face(h, x, (1 - x) * random.between(0, 1));
 }
 
-double length_of(const Mesh& mesh, const Triangulation& t, const AG::Path& path)
+double length_of_path(const Mesh& mesh, const Triangulation& t, const AG::Path& path)
 {
   double result = 0;
   for(std::size_t i = 1; i < path.points.size(); ++i)
@@ -296,9 +356,9 @@ TYPED_TEST(Free_ways_by_queue, are_those_of_equal_weights_where_all_faces_are_fr
     other.run({{p}});
     const AG::Path path = search.find_path(q), shortest = other.find_path(q);
     EXPECT_EQ(0, path.length);
-    EXPECT_NEAR(shortest.length, length_of(mesh, t, path), 1e-9 * (1 + shortest.length));
+    EXPECT_NEAR(shortest.length, length_of_path(mesh, t, path), 1e-9 * (1 + shortest.length));
     to_one.run_to(q, {{p}});
-    EXPECT_NEAR(shortest.length, length_of(mesh, t, to_one.find_path(q)),
+    EXPECT_NEAR(shortest.length, length_of_path(mesh, t, to_one.find_path(q)),
                 1e-9 * (1 + shortest.length));
   }
 }
@@ -388,7 +448,7 @@ TEST(Free_ways, are_straight_where_all_directions_are_free)
     search.run({{p}});
     other.run({{p}});
     const double shortest = other.find_path(q).length;
-    EXPECT_NEAR(shortest, length_of(mesh, t, search.find_path(q)), 1e-9 * (1 + shortest));
+    EXPECT_NEAR(shortest, length_of_path(mesh, t, search.find_path(q)), 1e-9 * (1 + shortest));
   }
 }
 

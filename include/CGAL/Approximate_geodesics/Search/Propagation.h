@@ -651,6 +651,7 @@ private:
   void prepare()
   {
     m_queue.clear();
+    m_ways.wait();
     m_statistics = Propagation_statistics();
     m_ended_early = false;
     m_limit = std::numeric_limits<double>::infinity();

@@ -78,6 +78,13 @@ public:
     m_nodes.clear();
   }
 
+  // Must be called when a run starts: there are no ways until `forget()`, as labels are not final.
+  void wait()
+  {
+    forget();
+    m_state = NONE;
+  }
+
   std::size_t memory() const { return memory_of(m_ways, m_nodes); }
 
 private:
@@ -280,6 +287,7 @@ private:
 struct No_free_ways
 {
   void forget() {}
+  void wait() {}
   static std::size_t memory() { return 0; }
 };
 
