@@ -38,7 +38,7 @@ using CGAL::parameters::heights;
 
 // ----- grids
 
-double length_of_path(const std::vector<Grid_point>& path)
+double length_along(const std::vector<Grid_point>& path)
 {
   double result = 0;
   for(std::size_t i = 1; i < path.size(); ++i)
@@ -56,7 +56,7 @@ std::pair<double, double> cost_and_length(const Grid_shape& shape,
   std::vector<Grid_point> path;
   const double cost = CGAL::approximate_geodesic_path_on_grid(
       shape, friction, std::back_inserter(path), from, to, np...);
-  return {cost, length_of_path(path)};
+  return {cost, length_along(path)};
 }
 
 TEST(Free_ways, are_straight_where_all_cells_are_free)
@@ -320,7 +320,7 @@ AG::Intrinsic_point random_place(const Triangulation& t, Random& random)
                               : AG::Intrinsic_point::in_face(h, x, (1 - x) * random.between(0, 1));
 }
 
-double length_of_path(const Mesh& mesh, const Triangulation& t, const AG::Path& path)
+double length_along(const Mesh& mesh, const Triangulation& t, const AG::Path& path)
 {
   double result = 0;
   for(std::size_t i = 1; i < path.points.size(); ++i)
@@ -356,9 +356,9 @@ TYPED_TEST(Free_ways_by_queue, are_those_of_equal_weights_where_all_faces_are_fr
     other.run({{p}});
     const AG::Path path = search.find_path(q), shortest = other.find_path(q);
     EXPECT_EQ(0, path.length);
-    EXPECT_NEAR(shortest.length, length_of_path(mesh, t, path), 1e-9 * (1 + shortest.length));
+    EXPECT_NEAR(shortest.length, length_along(mesh, t, path), 1e-9 * (1 + shortest.length));
     to_one.run_to(q, {{p}});
-    EXPECT_NEAR(shortest.length, length_of_path(mesh, t, to_one.find_path(q)),
+    EXPECT_NEAR(shortest.length, length_along(mesh, t, to_one.find_path(q)),
                 1e-9 * (1 + shortest.length));
   }
 }
@@ -448,7 +448,7 @@ TEST(Free_ways, are_straight_where_all_directions_are_free)
     search.run({{p}});
     other.run({{p}});
     const double shortest = other.find_path(q).length;
-    EXPECT_NEAR(shortest, length_of_path(mesh, t, search.find_path(q)), 1e-9 * (1 + shortest));
+    EXPECT_NEAR(shortest, length_along(mesh, t, search.find_path(q)), 1e-9 * (1 + shortest));
   }
 }
 

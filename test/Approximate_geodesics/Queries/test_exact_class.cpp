@@ -31,7 +31,7 @@ namespace {
 namespace AG = CGAL::Approximate_geodesics;
 using namespace geodesics_test;
 using Our_exact_paths = AG::Surface_mesh_shortest_path<Mesh>; // only header and type differ
-using Paths_across_faces = AG::Surface_mesh_shortest_path<Mesh, AG::Discrete_geodesic_graph>;
+using Our_paths_across_faces = AG::Surface_mesh_shortest_path<Mesh, AG::Discrete_geodesic_graph>;
 
 constexpr double TOLERANCE = 1e-6; // lengths of arcs may be rounded up to a `float`
 
@@ -79,7 +79,7 @@ struct Names_of_classes
                                                                 : "ours_across_faces";
   }
 };
-using Classes = testing::Types<Our_exact_paths, Paths_across_faces, Exact_shortest_paths>;
+using Classes = testing::Types<Our_exact_paths, Our_paths_across_faces, Exact_shortest_paths>;
 TYPED_TEST_SUITE(Both, Classes, Names_of_classes);
 
 TYPED_TEST(Both, keep_iterators_valid)

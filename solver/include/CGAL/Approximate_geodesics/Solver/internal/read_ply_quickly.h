@@ -172,9 +172,9 @@ struct Soup_of_ply
 
   bool take_corners(const std::vector<double>& corners)
   {
-    using Corner = typename Face::value_type;
+    using Vertex_number = typename Face::value_type;
     Face face;
-    if constexpr(!std::is_same_v<Face, std::vector<Corner>>) // of a fixed size
+    if constexpr(!std::is_same_v<Face, std::vector<Vertex_number>>) // of a fixed size
       if(corners.size() != face.size())
         return false;
     face.resize(corners.size());
@@ -183,7 +183,7 @@ struct Soup_of_ply
       if(!(corners[i] >= 0 && corners[i] < double(points.size()) &&
            corners[i] == std::floor(corners[i])))
         return false;
-      face[i] = static_cast<Corner>(corners[i]);
+      face[i] = static_cast<Vertex_number>(corners[i]);
     }
     faces.push_back(std::move(face));
     return corners.size() >= 3;
