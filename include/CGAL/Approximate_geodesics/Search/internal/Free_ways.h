@@ -190,7 +190,7 @@ private:
     settle(queue, graph, labels);
     // the search may have taken an arc that the graph leaves out
     for(std::size_t i = first; i < beyond; ++i)
-      if(!m_ways[m_nodes[i]].is_settled)
+      while(!m_ways[m_nodes[i]].is_settled)
       {
         follow_search(m_nodes[i], labels, queue);
         settle(queue, graph, labels);
@@ -257,24 +257,21 @@ private:
     return true;
   }
 
-  // Offers the way on the path that the search has found, from the last settled node on.
+  // Gives the first node that is not settled, on the path of the search to this one, the way of the
+  // node before. Those behind have to wait for it, or ways could go around in a circle.
   void follow_search(Node node, const Labels& labels, Queue& queue)
   {
-    std::vector<Node> path;
-    while(node != Labels::null_node && labels.is_reached(node) && !m_ways[node].is_settled)
-    {
-      path.push_back(node);
-      node = labels.predecessor(node);
-    }
-    const bool has_start = node != Labels::null_node && labels.is_reached(node);
-    Way way{has_start ? m_ways[node].length : 0, has_start ? node : Labels::null_node,
-            has_start ? m_ways[node].seed : null_seed, false};
-    for(; !path.empty(); path.pop_back())
-    {
-      m_ways[path.back()] = way;
-      way.predecessor = path.back();
-      queue.push({way.length, path.back()});
-    }
+    const auto before = [&](const Node n) {
+      const Node result = labels.predecessor(n);
+      return result != Labels::null_node && labels.is_reached(result) ? result : Labels::null_node;
+    };
+    while(before(node) != Labels::null_node && !m_ways[before(node)].is_settled)
+      node = before(node);
+    const Node last = before(node);
+    m_ways[node] = last == Labels::null_node
+                       ? Way{0, last, null_seed, false}
+                       : Way{m_ways[last].length, last, m_ways[last].seed, false};
+    queue.push({m_ways[node].length, node});
   }
 
   State m_state = UNKNOWN;
