@@ -271,11 +271,11 @@ inline std::string error_in_ply_lists(const Ply_header& header, std::istream& in
   return "";
 }
 
-// Returns an error that crashes CGAL's reader, or an empty string.
+// Returns what CGAL's reader takes for something else, or crashes at; or an empty string.
 inline std::string fatal_error_in_ply(std::istream& in)
 {
   const Ply_header header(in);
-  const std::string result = header.error_in_coordinates();
+  const std::string result = header.error();
   return result.empty() ? error_in_ply_lists(header, in) : result;
 }
 
