@@ -18,6 +18,7 @@
 #include <cstddef>
 #include <cstdint>
 #include <cstring>
+#include <sstream>
 #include <stdexcept>
 #include <string>
 #include <system_error>
@@ -100,6 +101,8 @@ const std::vector<Wrong_file>& wrong_files()
       {".off", vertices_of_off + "3 0 1 4\n", "line 7: face 0 has vertex 4; the vertices are"},
       {".off", vertices_of_off + "3 0 1 -1\n", "line 7: face 0 has vertex -1; the vertices are"},
       {".off", vertices_of_off + "three\n", "line 7: face 0 has \"three\" instead of its number"},
+      {".off", "OFF BINARY\n" + std::string("\77\0\0\0\0\0\0\1\0\0\0\0", 12) + "123456789012",
+       "it ends before the last of 1056964608 vertices and 1 faces"}, // 25 GB
       {".obj", vertices_of_obj, "it has no faces"},
       {".obj", vertices_of_obj + "v 1 1\n",
        "line 5: vertex 3 does not have three finite coordinates"},
@@ -293,6 +296,12 @@ TEST(Mesh_file, in_a_usual_form_has_the_numbers_that_CGAL_reads)
        "OFF\n4 2 0\n" + rest + "3 0 1 2\n4 3 2 1 0"})                      // no end of a line
   {
     SCOPED_TRACE(contents);
+    std::istringstream in(contents);
+    std::vector<Soup_point> quick_points;
+    Soup_faces quick_faces;
+    const bool has_colors = contents.find("255") != std::string::npos;
+    EXPECT_EQ(AG::internal::read_off_quickly(in, contents.size(), quick_points, quick_faces),
+              !has_colors);
     folder.fill({{"mesh.off", contents}});
     std::vector<Soup_point> points, points_of_cgal;
     Soup_faces soup, soup_of_cgal;
