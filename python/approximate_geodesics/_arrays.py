@@ -29,7 +29,7 @@ def numbers(values: Any, name: str, shape: tuple[int, ...]) -> Floats:
         result: Floats = _readable(array, np.dtype(np.float64))
     except (TypeError, ValueError) as error:
         raise ValueError(f"{name} cannot be read as numbers: {error}") from None
-    _check_mask(array, name)
+    _check_items(values, name, "real numbers")
     _check_shape(result, name, shape)
     return result
 
@@ -40,7 +40,7 @@ def integers(values: Any, name: str, shape: tuple[int, ...]) -> npt.NDArray[Any]
         result: npt.NDArray[Any] = np.asanyarray(values)
     except (TypeError, ValueError) as error:
         raise ValueError(f"{name} cannot be read as integers: {error}") from None
-    _check_mask(result, name)
+    _check_items(values, name, "integers")
     if result.shape == (0,) and result.dtype.kind == "f":
         result = np.empty([max(size, 0) for size in shape], dtype=np.int64)
     if result.dtype.kind in "fO":  # what NumPy makes of lists with integers from 2**63
@@ -86,8 +86,6 @@ def points(values: Any, name: str) -> tuple[Points, bool]:
         return _points_on_edges(values, name), False
     if _number_of_dimensions(values) == 0:
         return (np.array([_vertex(values, name)], dtype=np.int64), None), True
-    if _has_any(values, _is_bool):  # which NumPy makes integers of, if others are
-        raise ValueError(f"the {name} vertices must be integers, and some are bool")
     vertices = integers(values, f"the {name} vertices", (-1,))
     return (vertices.astype(np.int64, copy=False), None), False
 
@@ -127,7 +125,19 @@ def _check_kind(array: npt.NDArray[Any], name: str, kinds: str, wanted: str) -> 
         raise ValueError(f"{name} must be {wanted}, and are {array.dtype}")
 
 
-def _check_mask(array: npt.NDArray[Any], name: str) -> None:
+def _check_items(values: Any, name: str, wanted: str) -> None:
+    """Refuses what NumPy makes numbers of in a list: masked elements, and truth values."""
+    if not isinstance(values, (tuple, list)):
+        _check_mask(values, name)
+        return
+    for value in values:
+        if _is_bool(value):
+            raise ValueError(f"{name} must be {wanted}, and some are bool")
+        if not isinstance(value, (int, float)):
+            _check_items(value, name, wanted)
+
+
+def _check_mask(array: Any, name: str) -> None:
     """Refuses masked elements, which are no numbers."""
     if isinstance(array, np.ma.MaskedArray) and np.any(array.mask):
         place = ", ".join(map(str, np.argwhere(array.mask)[0]))
@@ -152,6 +162,7 @@ def _check_sizes(values: npt.NDArray[Any], name: str) -> None:
 
 
 def _vertex(value: Any, name: str) -> int:
+    _check_mask(value, f"the {name} vertices")
     try:
         result = index(value)
     except TypeError:

@@ -83,7 +83,11 @@ public:
     else if(std::filesystem::exists(m_target)) // or else the file system has no links
       throw std::runtime_error("cannot write " + m_name + ": it has come to exist meanwhile");
     if(std::rename(m_place.c_str(), m_target.c_str()) != 0)
-      fail_to("write", m_name, errno);
+    {
+      const int error = errno;
+      restore();
+      fail_to("write", m_name, error);
+    }
     m_place.clear();
   }
 
@@ -94,8 +98,8 @@ public:
       return;
     if(!m_has_replaced)
       std::remove(m_target.c_str());
-    else if(!m_backup.empty() && std::rename(m_backup.c_str(), m_target.c_str()) == 0)
-      m_backup.clear();
+    else
+      restore();
   }
 
 private:
@@ -140,11 +144,25 @@ private:
                                    ignored);
   }
 
-  // Another link to what is replaced, unless the file system has none.
+  // Makes another link to what is replaced; or renames it, if the file system has no links.
   void keep_backup()
   {
     m_backup = find_name(
         ".old", [&](const char* const name) { return ::link(m_target.c_str(), name) == 0; });
+    if(m_backup.empty() && std::filesystem::is_regular_file(m_target))
+      m_backup = find_name(".old", [&](const char* const name) {
+        const bool is_taken = std::filesystem::exists(name);
+        const bool is_renamed = !is_taken && std::rename(m_target.c_str(), name) == 0;
+        errno = is_taken ? EEXIST : errno;
+        return is_renamed;
+      });
+  }
+
+  void restore() noexcept
+  {
+    if(!m_backup.empty() && std::rename(m_backup.c_str(), m_target.c_str()) == 0)
+      std::remove(m_backup.c_str()); // another link to the same file is not renamed
+    m_backup.clear();                // or else it stays, under its other name
   }
 
   std::string m_name;

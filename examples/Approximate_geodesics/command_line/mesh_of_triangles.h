@@ -12,6 +12,26 @@
 #include <stdexcept>
 #include <vector>
 
+// Sets a halfedge of each vertex, as CGAL does when it adds faces in this order: that of a border,
+// or of the last face. Where searches begin at a vertex depends on it, and so do the last bits.
+template <typename Mesh, typename Soup, typename Copies>
+void set_halfedges_of_vertices(Mesh& result, const Soup& soup, const Copies& copies)
+{
+  const auto set = [&](const auto h) {
+    using Vertex = typename Mesh::Vertex_index;
+    result.set_halfedge(Vertex(typename Mesh::size_type(target(h, soup))), copies[h]);
+  };
+  for(const auto f : faces(soup))
+  {
+    const auto h = halfedge(f, soup);
+    for(const auto side : {h, next(h, soup), prev(h, soup)})
+      set(side);
+  }
+  for(const auto h : halfedges(soup))
+    if(face(h, soup) == boost::graph_traits<Soup>::null_face())
+      set(h);
+}
+
 // Copies a mesh. Each face begins at its first corner.
 template <typename Mesh, typename Soup>
 Mesh copy_of(const Soup& soup)
@@ -32,15 +52,12 @@ Mesh copy_of(const Soup& soup)
   for(const auto h : halfedges(soup))
   {
     const auto f = face(h, soup);
-    const Vertex v(Size(target(h, soup)));
-    const bool is_border = f == boost::graph_traits<Soup>::null_face();
-    result.set_target(copies[h], v);
+    result.set_target(copies[h], Vertex(Size(target(h, soup))));
     result.set_next(copies[h], copies[next(h, soup)]);
-    if(!is_border)
+    if(f != boost::graph_traits<Soup>::null_face())
       result.set_face(copies[h], Face(Size(f)));
-    if(is_border || result.is_isolated(v)) // a vertex of a border has a halfedge of that
-      result.set_halfedge(v, copies[h]);
   }
+  set_halfedges_of_vertices(result, soup, copies);
   for(const auto f : faces(soup))
     result.set_halfedge(Face(Size(f)), copies[prev(halfedge(f, soup), soup)]);
   return result;

@@ -11,6 +11,7 @@
 #include <algorithm>
 #include <array>
 #include <filesystem>
+#include <fstream>
 #include <iterator>
 #include <ostream>
 #include <string>
@@ -44,10 +45,8 @@ public:
     for(const std::string& file : names())
       check("output", file);
     for(const std::string& file : names_of_others())
-      if(std::filesystem::exists(file) && !options.overwrites)
-        reject_option("output", file + " exists, of an earlier run; --force removes it");
-      else if(std::filesystem::exists(file))
-        m_removed.push_back(file);
+      if(std::filesystem::exists(file))
+        m_removed.push_back(checked_to_be_removed(file));
   }
 
   // Writes all of them, or none. `save_graph(out)` writes the graph.
@@ -141,6 +140,22 @@ private:
     if(std::filesystem::exists(file) && !m_options.overwrites)
       reject_option(option, file + " exists; --force replaces it");
     New_file::check(file);
+  }
+
+  // Other programs write pictures and tables, too.
+  std::string checked_to_be_removed(const std::string& file) const
+  {
+    std::string line;
+    if(file == name(".csv"))
+      std::getline(std::ifstream(file), line);
+    if(!std::filesystem::is_regular_file(file) || file == name(".png") ||
+       (file == name(".csv") && line != HEADER_OF_CSV))
+      reject_option("output", file +
+                                  " exists, which this run does not write, and may be no file of "
+                                  "an earlier run; move it, or choose another name");
+    if(!m_options.overwrites)
+      reject_option("output", file + " exists, of an earlier run; --force removes it");
+    return file;
   }
 
   std::string name(const char* const ending) const { return m_options.output + ending; }

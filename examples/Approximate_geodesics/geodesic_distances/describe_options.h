@@ -78,7 +78,8 @@ inline po::options_description describe_output(Options& options)
       "a file, as bunny.ply or bunny.csv, stands for the part before, and asks for that file");
   add("force,f", po::bool_switch(&options.overwrites),
       "replace files that exist, and remove those of an earlier run that this one does not write. "
-      "They stay as they are if anything fails");
+      "They stay as they are if anything fails. A picture, or a table of another program, is never "
+      "removed: the run is refused");
   add("csv", po::bool_switch(&options.writes_table), "write NAME.csv, too");
   add("isolines,i", texts_option("D ..."),
       "write lines at these distances; or, for count:K, at K that are spread evenly; or, for "
@@ -128,8 +129,9 @@ inline void print_help(const po::options_description& description)
          "shortest paths to some targets: along edges, or across faces within an error bound.\n\n"
          "MESH is an OFF, OBJ, STL, PLY or GOCAD file. What is no surface in it is repaired, "
          "which\n"
-         "is told. Vertices and faces keep their numbers; vertices in the same place have the "
-         "same\n"
+         "is told. Vertices keep their numbers, and options take the faces of the file; written "
+         "are\n"
+         "the faces of the repaired mesh. Vertices in the same place have the same\n"
          "distance. Printed are the size of the mesh, the time taken, the range of the distances,\n"
          "and the length of the path to each target, in the unit of the coordinates. Written are\n"
          "  NAME.vtp             the mesh with distance and nearest_source of every vertex, for\n"

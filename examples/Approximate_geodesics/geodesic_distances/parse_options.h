@@ -153,7 +153,7 @@ inline void read_values(const po::variables_map& values, Options& options)
 }
 
 // The name of a file stands for those of all files, and asks for its own.
-inline void read_output(Options& options)
+inline void read_output(const po::variables_map& values, Options& options)
 {
   const auto ends_with = [&](const std::string& ending) {
     const bool result = options.output.size() > ending.size() &&
@@ -163,13 +163,21 @@ inline void read_output(Options& options)
       options.output.resize(options.output.size() - ending.size());
     return result;
   };
+  const auto check = [](const bool is_given, const char* const text) {
+    if(!is_given)
+      reject_option("output", text);
+  };
   if(ends_with(".csv"))
     options.writes_table = true;
   else if(ends_with(".png"))
     options.draws = true;
-  else if(ends_with(".polylines.txt") && options.targets.empty())
-    reject_option("output", "polylines are the paths to --targets; there are none");
-  else if(!ends_with(".vtp"))
+  else if(ends_with("_offsets.vtp") || ends_with("_offsets.polylines.txt"))
+    check(values.count("offset") > 0, "offsets are the curves at --offset; there are none");
+  else if(ends_with("_isolines.vtp"))
+    check(values.count("isolines") > 0, "isolines are the lines at --isolines; there are none");
+  else if(ends_with(".polylines.txt"))
+    check(!options.targets.empty(), "polylines are the paths to --targets; there are none");
+  else if(!ends_with("_paths.vtp") && !ends_with(".vtp"))
     ends_with(".ply");
 }
 
@@ -182,7 +190,7 @@ inline Options parse_options(const int argc, char* argv[])
     print_help(description);
   else
   {
-    read_output(options);
+    read_output(values, options);
     read_values(values, options);
     check_curve(values, options);
     check_costs(options);

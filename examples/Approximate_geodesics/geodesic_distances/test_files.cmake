@@ -30,7 +30,7 @@ endforeach()
 
 # Runs the program in the background, and lines of the shell when it waits for a pipe.
 file(REMOVE ${folder}/x.csv)
-file(WRITE ${folder}/x.png "of an earlier run\n")
+file(WRITE ${folder}/x_offsets.vtp "of an earlier run\n")
 function(expect_meanwhile code text lines)
   # shells keep Ctrl-C from what they start in the background
   expect_line(${code} "${text}" "mkfifo x.csv
@@ -48,9 +48,9 @@ expect_meanwhile(1 "cannot write x_paths.vtp: Is a directory" "rm x_paths.vtp &&
 file(REMOVE_RECURSE ${folder}/x_paths.vtp)
 file(WRITE ${folder}/x_paths.vtp "the old x_paths.vtp\n")
 file(WRITE ${folder}/x.csv "the old x.csv\n")
-expect_files(${meshes} ${outputs} x.png)
-expect_contents(x.png "^of an earlier run\n$")
-file(REMOVE ${folder}/x.png)
+expect_files(${meshes} ${outputs} x_offsets.vtp)
+expect_contents(x_offsets.vtp "^of an earlier run\n$")
+file(REMOVE ${folder}/x_offsets.vtp)
 foreach(name IN LISTS outputs)
   expect_contents(${name} "^the old ${name}\n$")
 endforeach()

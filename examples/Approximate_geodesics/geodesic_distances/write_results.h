@@ -140,10 +140,12 @@ inline void write_polylines(std::ostream& out, const Results& results)
       write_polyline(out, path.points);
 }
 
+inline constexpr const char* HEADER_OF_CSV = "vertex,x,y,z,distance,nearest_source";
+
 // A line per vertex of the file.
 inline void write_csv(std::ostream& out, const Mesh_of_file& mesh, const Results& results)
 {
-  out << "vertex,x,y,z,distance,nearest_source\n";
+  out << HEADER_OF_CSV << '\n';
   for(std::size_t v = 0; v < mesh.vertices.number(); ++v)
   {
     const Mesh::Point& p = mesh.mesh.point(Mesh::Vertex_index(Mesh::size_type(v)));

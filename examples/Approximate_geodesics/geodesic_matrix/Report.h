@@ -56,9 +56,9 @@ struct Report
     table.add("peak memory of a process", text_of_bytes(memory));
     table.add("file", options.output);
     table.add("vertices of its rows", file_of_rows(options));
-    const std::string columns = file_of_columns(options); // none if they are the rows
-    table.add("vertices of its columns",
-              std::filesystem::exists(columns) ? columns : file_of_rows(options));
+    table.add("vertices of its columns", vertices.sources == vertices.targets
+                                             ? file_of_rows(options)
+                                             : file_of_columns(options));
     table.add("length of the file", text_of_bytes(length_on_disk(options.output)));
     table.print(std::cout);
   }

@@ -49,7 +49,7 @@ void check_files(const Options& options)
     throw std::invalid_argument("--resume no: " + options.output +
                                 ".part belongs to an unfinished run; delete it to restart");
   for(const std::string& file : {options.output, file_of_rows(options), file_of_columns(options)})
-    if(!is_begun && std::filesystem::exists(file))
+    if(std::filesystem::exists(file))
       throw std::invalid_argument(file + " already exists; remove it, or choose another name");
 }
 
@@ -78,14 +78,18 @@ void tell_of_cuts(const Vertices_of_file& vertices, const Matrix_vertices& numbe
       {
         std::clog << "At some vertices, such as " << number
                   << ", faces do not form a surface. Distances are those of some of its faces, and "
-                     "can be too large.\n";
+                     "can be too large, or infinite.\n";
         return;
       }
 }
 
-// Returns the exit code.
+// Returns the exit code. Vertices have their numbers in the mesh, and in the file.
 template <typename T, typename Graph>
-int compute(const Job& job, const Graph& graph, const Matrix_vertices& vertices, Report& report)
+int compute(const Job& job,
+            const Graph& graph,
+            const Matrix_vertices& vertices,
+            const Matrix_vertices& numbers,
+            Report& report)
 {
   bool is_complete = false;
   const Stopwatch stopwatch;
@@ -99,7 +103,9 @@ int compute(const Job& job, const Graph& graph, const Matrix_vertices& vertices,
   report.seconds_to_compute = stopwatch.seconds();
   if(is_complete)
   {
-    report.print(job.options, vertices, job.processes);
+    if(job.processes.rank() == 0)
+      write_vertex_files(job.options, numbers);
+    report.print(job.options, numbers, job.processes);
     return EXIT_SUCCESS;
   }
   std::clog << "Stopped after about " << number_done << " of " << vertices.sources.size()
@@ -127,14 +133,12 @@ int run(const Job& job, const NamedParameters&... np)
   report.seconds_to_choose = lap();
   const Graph graph(Intrinsic_triangulation(mesh.mesh), np...);
   mesh = Mesh_of_file(); // whose memory is of no more use
-  if(job.processes.rank() == 0 && !job.options.only_estimates)
-    write_vertex_files(job.options, numbers);
   report.seconds_to_build = lap();
 
   const auto finish = [&](const auto zero) {
     using T = std::decay_t<decltype(zero)>;
     if(!job.options.only_estimates)
-      return compute<T>(job, graph, vertices, report);
+      return compute<T>(job, graph, vertices, numbers, report);
     print_estimate<T>(job.options, graph, vertices, job.threads, job.processes.size());
     return EXIT_SUCCESS;
   };

@@ -17,8 +17,11 @@ expect(0 "rows +6\n.*columns +2\n" ${PROGRAM} ${mesh} --sources 7 file:vertices.
 expect(0 "rows +30\n.*columns +30\n" ${PROGRAM} ${mesh} --sources random:30 --epsilon 0 --symmetric
        --output symmetric.npy)
 expect(0 "microseconds a row" ${PROGRAM} ${mesh} --radius 0.5 --nearest 9 --output near.csr/)
+if(NOT EXISTS ${folder}/near.csr/vertices.npy)
+  message(FATAL_ERROR "near.csr has no vertices of its rows")
+endif()
 expect_files(${meshes} all.npy mixed.npy near.csr one.npy some.npy symmetric.npy all.vertices.npy mixed.vertices.npy
-             near.vertices.npy one.vertices.npy some.vertices.npy symmetric.vertices.npy mixed.columns.npy
+             one.vertices.npy some.vertices.npy symmetric.vertices.npy mixed.columns.npy
              some.columns.npy vertices.txt)
 
 # Fails unless an array has these bytes, in hexadecimal digits, behind its header.
@@ -59,3 +62,14 @@ expect_numbers(whole.vertices.npy "${digits}")
 expect(0 "At some vertices, such as 0, faces do not form a surface" ${PROGRAM} fan_of_three.off --output fan.npy)
 file(REMOVE ${folder}/whole.npy)
 expect(1 "whole.vertices.npy already exists" ${PROGRAM} mended.off --output whole.npy)
+
+# a run that is refused leaves no files that could pass for those of another one
+expect(0 "rows +8\n" ${PROGRAM} mended.off --radius 1 --output whole.csr)
+file(REMOVE ${folder}/whole.vertices.npy)
+file(GLOB before RELATIVE ${CMAKE_CURRENT_BINARY_DIR}/${folder} ${folder}/*)
+file(MAKE_DIRECTORY ${folder}/whole.npy.part)
+file(WRITE ${folder}/whole.npy.part/identity "of another run\n")
+expect(1 "whole.npy.part" ${PROGRAM} mended.off --output whole.npy)
+file(REMOVE_RECURSE ${folder}/whole.npy.part)
+expect_files(${before})
+expect(0 "vertices of its columns +whole.vertices.npy\n" ${PROGRAM} mended.off --output whole.npy)

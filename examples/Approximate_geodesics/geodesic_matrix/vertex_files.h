@@ -13,16 +13,23 @@
 #include <ostream>
 #include <string>
 
-// Which vertices the rows and columns are: one-dimensional arrays for NumPy, beside the matrix.
+// Which vertices the rows and columns are: one-dimensional arrays for NumPy, beside a dense matrix,
+// and in the folder of a sparse one.
 
-inline std::string file_of_rows(const Options& options)
+inline std::string file_beside(const Options& options, const std::string& name)
 {
-  return std::filesystem::path(options.output).replace_extension(".vertices.npy").string();
+  const std::filesystem::path output = options.output;
+  if(options.is_sparse())
+    return (output / (name + ".npy")).string();
+  return std::filesystem::path(output).replace_extension('.' + name + ".npy").string();
 }
 
+inline std::string file_of_rows(const Options& options) { return file_beside(options, "vertices"); }
+
+// The columns have no file if they are the rows.
 inline std::string file_of_columns(const Options& options)
 {
-  return std::filesystem::path(options.output).replace_extension(".columns.npy").string();
+  return file_beside(options, "columns");
 }
 
 inline void write_npy(std::ostream& out, const Vertex_choice::Indices& numbers)
@@ -40,10 +47,10 @@ inline void write_npy(std::ostream& out, const Vertex_choice::Indices& numbers)
   }
 }
 
-// The columns have no file if they are the rows.
+// Writes them when the matrix is complete: before, they could be those of another run.
 inline void write_vertex_files(const Options& options, const Matrix_vertices& vertices)
 {
-  New_files files(true); // which the run that is resumed has written, or nobody
+  New_files files(false);
   const auto write = [&](const std::string& name, const Vertex_choice::Indices& numbers) {
     files.write(name, [&](std::ostream& out) { write_npy(out, numbers); });
   };

@@ -88,7 +88,8 @@ inline po::options_description describe_output(Options& options)
       "what the names of the files written begin with, such as folder/valley");
   add("force,f", po::bool_switch(&options.overwrites),
       "replace files that exist, and remove others of these names that an earlier call has "
-      "written. They stay as they are if anything fails");
+      "written. They stay as they are if anything fails. A picture, which may be of another "
+      "program, is never removed: the call is refused");
   add("back-links,b", po::bool_switch(&options.writes_back_links),
       "write the direction from where the path arrives at each cell");
   add("corridor,c", po::bool_switch(&options.writes_corridor),

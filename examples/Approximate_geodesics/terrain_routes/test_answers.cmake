@@ -57,6 +57,12 @@ foreach(name u_cost.asc u_paths.geojson u_paths.csv)
   endif()
 endforeach()
 
+file(WRITE ${folder}/u.png "a photograph\n")
+expect(1 "--output: u.png exists, which this call does not write, and may be no file of an earlier" ${PROGRAM}
+       ring.npy --no-data -1 -s cell:0,0 -o u --force)
+expect_contents(u.png "^a photograph\n$")
+file(REMOVE ${folder}/u.png)
+
 # values that begin with letters, and are no names
 file(WRITE ${folder}/nan_first.asc "NCOLS 3\nnrows 2\ncellsize 1\nNODATA_value nan\nnan 1 inf\n1 1 1\n")
 expect(0 "4 cells reached in .*\nTo cell 2,1: cost 2," ${PROGRAM} nan_first.asc -s cell:0,1 -t cell:2,1 -o v)

@@ -18,6 +18,7 @@
 #include <cstddef>
 #include <cstdint>
 #include <cstring>
+#include <sstream>
 #include <stdexcept>
 #include <string>
 #include <system_error>
@@ -71,6 +72,13 @@ std::string ply_with(const std::string& type, const std::string& last_face)
          "0 0 0\n1 0 0\n1 1 0\n0 1 0\n3 0 1 2\n" + last_face + '\n';
 }
 
+// The same with some of the text replaced.
+std::string square_with(const std::string& text, const std::string& other)
+{
+  std::string result = ply_with("float", "3 0 2 3");
+  return result.replace(result.find(text), text.size(), other);
+}
+
 const std::vector<Wrong_file>& wrong_files()
 {
   static const std::vector<Wrong_file> result{
@@ -93,6 +101,8 @@ const std::vector<Wrong_file>& wrong_files()
       {".off", vertices_of_off + "3 0 1 4\n", "line 7: face 0 has vertex 4; the vertices are"},
       {".off", vertices_of_off + "3 0 1 -1\n", "line 7: face 0 has vertex -1; the vertices are"},
       {".off", vertices_of_off + "three\n", "line 7: face 0 has \"three\" instead of its number"},
+      {".off", "OFF BINARY\n" + std::string("\77\0\0\0\0\0\0\1\0\0\0\0", 12) + "123456789012",
+       "it ends before the last of 1056964608 vertices and 1 faces"}, // 25 GB
       {".obj", vertices_of_obj, "it has no faces"},
       {".obj", vertices_of_obj + "v 1 1\n",
        "line 5: vertex 3 does not have three finite coordinates"},
@@ -104,6 +114,14 @@ const std::vector<Wrong_file>& wrong_files()
       {".ply", ply_with("int", "3 0 2 3"), "its vertices have coordinates of type int; they must"},
       {".ply", ply_with("uint8", "3 0 2 3"), "its vertices have coordinates of type uint8; they"},
       {".ply", ply_with("list uchar float", "3 0 2 3"), "coordinates of type list; they must"},
+      {".ply", square_with("ascii", "binary_big_en"),
+       "its format is \"binary_big_en\"; it must be"},
+      {".ply", square_with("ply", "comment\nply"), "it does not begin with ply"},
+      {".ply", square_with("element", "property float q\nelement"),
+       "property q comes before the first element"},
+      {".ply", square_with("face 2", "face -1"), "element face has the number -1"},
+      {".ply", square_with("float z", "float x"), "its vertices have 2 properties x; they must"},
+      {".ply", square_with("float z", "float w"), "its vertices have 0 properties z; they must"},
       {".ply", header_of_ply.substr(0, 80), "its header does not end"},
       {".ply", "ply\nformat ascii 1.0\nelement face 1\nproperty int a\nend_header\n1\n", "no list"},
       {".ply",
@@ -194,6 +212,23 @@ TEST(Mesh_file, with_coordinates_of_one_precision_is_read_into_the_other)
   }
 }
 
+TEST(Mesh_file, may_name_its_elements_in_the_plural)
+{
+  const Temporary_folder folder;
+  const std::string file = folder.file("mesh.ply");
+  for(const auto& [name, plural] :
+      {std::pair("element vertex", "element vertices"), {"element face", "element faces"}})
+  {
+    folder.fill({{"mesh.ply", square_with(name, plural)}});
+    expect_square<Soup_point, Soup_faces>(file);
+    expect_square<Float_point, Soup_triangles>(file);
+  }
+  folder.fill({{"mesh.ply", "ply\nformat ascii 1.0\nelement vertices 0\nproperty float x\n"
+                            "property float y\nproperty float z\nelement faces 2\n"
+                            "property uchar red\nend_header\n5\n6\n"}});
+  EXPECT_EQ(AG::read_face_property(file, "red"), std::vector<double>({5, 6}));
+}
+
 TEST(Mesh_file, with_other_faces_is_not_read_into_triangles)
 {
   const Temporary_folder folder;
@@ -261,6 +296,12 @@ TEST(Mesh_file, in_a_usual_form_has_the_numbers_that_CGAL_reads)
        "OFF\n4 2 0\n" + rest + "3 0 1 2\n4 3 2 1 0"})                      // no end of a line
   {
     SCOPED_TRACE(contents);
+    std::istringstream in(contents);
+    std::vector<Soup_point> quick_points;
+    Soup_faces quick_faces;
+    const bool has_colors = contents.find("255") != std::string::npos;
+    EXPECT_EQ(AG::internal::read_off_quickly(in, contents.size(), quick_points, quick_faces),
+              !has_colors);
     folder.fill({{"mesh.off", contents}});
     std::vector<Soup_point> points, points_of_cgal;
     Soup_faces soup, soup_of_cgal;

@@ -37,6 +37,10 @@ public:
       check_drawing_programs();
     for(const std::string& file : names())
       check(file);
+    if(!options.draws && std::filesystem::exists(name(".png")))
+      reject_option("output", name(".png") +
+                                  " exists, which this call does not write, and may be no file of "
+                                  "an earlier call; move it, or choose another name");
     if(const std::vector<std::string> stale = stale_files(); !stale.empty() && !options.overwrites)
       reject_option("output", stale.front() + " is of an earlier call, and would stay beside what "
                                               "is written; --force removes it");
@@ -114,7 +118,7 @@ private:
     for(const char* const raster : {"_cost", "_back_links", "_corridor"})
       for(const char* const ending : {".tif", ".asc", ".npy"})
         look_for(name(std::string(raster) + ending));
-    for(const char* const ending : {"_paths.geojson", "_paths.csv", "_isochrones.geojson", ".png"})
+    for(const char* const ending : {"_paths.geojson", "_paths.csv", "_isochrones.geojson"})
       look_for(name(ending));
     return result;
   }

@@ -41,37 +41,38 @@ struct Ply_header
 
   explicit Ply_header(std::istream& in)
   {
+    bool is_first = true;
     std::string text;
-    for(std::string first; first != "end_header" && std::getline(in, text);)
+    for(std::string first; first != "end_header" && std::getline(in, text); is_first = false)
     {
       std::istringstream words(text);
       std::string second, type, name;
       words >> first >> second;
       if(first == "format")
         format = second;
-      if(first == "element" && words >> number_of[second])
-        elements.push_back({second, number_of[second], {}});
+      if(first == "element" && words >> type)
+        add_element(second, type);
       if(first == "property" && second == "list" && words >> second >> type >> name)
         add_property({"list", name, bytes_of(type), bytes_of(second), type, second});
       else if(first == "property" && words >> name)
         add_property({second, name, bytes_of(second), 0, second, ""});
       lists_corners = lists_corners || name == "vertex_indices" || name == "vertex_index";
-      begins = begins || first == "ply";
+      begins = begins || (is_first && first == "ply");
       ends = first == "end_header";
     }
   }
 
-  // Returns the error in the types of coordinates, or an empty string.
-  std::string error_in_coordinates() const
+  // Returns what CGAL's reader would take for something else, or crash at; or an empty string.
+  std::string error() const
   {
-    const std::set<std::string> types{"float", "float32", "double", "float64"};
-    const std::set<std::string> coordinates{"x", "y", "z"};
+    if(!m_error.empty())
+      return m_error;
+    if(format != "ascii" && format != "binary_little_endian" && format != "binary_big_endian")
+      return "its format is \"" + format +
+             "\"; it must be ascii, binary_little_endian or binary_big_endian";
     for(const Element& element : elements)
-      if(element.name == "vertex" || element.name == "vertices")
-        for(const Property& property : element.properties)
-          if(coordinates.count(property.name) > 0 && types.count(property.type) == 0)
-            return "its vertices have coordinates of type " + property.type +
-                   "; they must be float or double";
+      if(element.name == "vertex" && !error_in_coordinates(element).empty())
+        return error_in_coordinates(element);
     return "";
   }
 
@@ -118,6 +119,36 @@ struct Ply_header
   std::map<std::string, std::size_t> number_of; // by element
 
 private:
+  // Elements may have their name in the plural.
+  void add_element(const std::string& name, const std::string& number)
+  {
+    const std::string singular = name == "vertices" ? "vertex" : name == "faces" ? "face" : name;
+    if(number.size() > 18 || number.find_first_not_of("0123456789") != number.npos)
+      m_error = "element " + name + " has the number " + number;
+    else
+      number_of[singular] = std::stoull(number);
+    elements.push_back({singular, number_of[singular], {}});
+  }
+
+  static std::string error_in_coordinates(const Element& vertex)
+  {
+    const std::set<std::string> types{"float", "float32", "double", "float64"};
+    for(const char* const coordinate : {"x", "y", "z"})
+    {
+      std::size_t number = 0;
+      for(const Property& property : vertex.properties)
+        if(property.name == coordinate && types.count(property.type) == 0)
+          return "its vertices have coordinates of type " + property.type +
+                 "; they must be float or double";
+        else if(property.name == coordinate)
+          ++number;
+      if(number != 1)
+        return "its vertices have " + std::to_string(number) + " properties " + coordinate +
+               "; they must have one";
+    }
+    return "";
+  }
+
   static std::size_t bytes_of(const std::string& type)
   {
     for(const char* const name : {"char", "uchar", "int8", "uint8"})
@@ -131,9 +162,13 @@ private:
 
   void add_property(const Property& property)
   {
-    if(!elements.empty())
+    if(elements.empty())
+      m_error = "property " + property.name + " comes before the first element";
+    else
       elements.back().properties.push_back(property);
   }
+
+  std::string m_error; // in a line
 };
 
 } // namespace CGAL::Approximate_geodesics::internal

@@ -123,7 +123,7 @@ inline std::string error_in_off_face(const Text_lines& line,
  */
 struct Off_header
 {
-  explicit Off_header(Text_lines& line)
+  Off_header(std::istream& in, Text_lines& line)
   {
     if(!line.next() || line.words.front().find("OFF") == std::string::npos)
     {
@@ -133,7 +133,11 @@ struct Off_header
     line.words.erase(line.words.begin());
     is_binary = !line.words.empty() && line.words.front() == "BINARY";
     if(is_binary)
+    {
+      number_of_vertices = read_number(in);
+      number_of_faces = read_number(in);
       return;
+    }
     if(line.words.empty() && !line.next())
     {
       error = "it ends after OFF";
@@ -149,8 +153,16 @@ struct Off_header
   }
 
   std::string error;
-  bool is_binary = false; // without numbers then
+  bool is_binary = false;
   std::size_t number_of_vertices = 0, number_of_faces = 0;
+
+private:
+  static std::size_t read_number(std::istream& in)
+  {
+    std::uint32_t result = 0;
+    in.read(reinterpret_cast<char*>(&result), sizeof(result));
+    return boost::endian::big_to_native(result);
+  }
 };
 
 // Whether an OFF file announces no more elements than it has bytes. CGAL's reader allocates all of
@@ -158,7 +170,7 @@ struct Off_header
 inline bool is_long_enough_for_off(std::istream& in)
 {
   Text_lines line(in);
-  const Off_header header(line);
+  const Off_header header(in, line);
   in.clear();
   in.seekg(0, std::ios::end);
   return header.number_of_vertices + header.number_of_faces <= static_cast<std::size_t>(in.tellg());
@@ -168,9 +180,12 @@ inline bool is_long_enough_for_off(std::istream& in)
 inline std::string error_in_off(std::istream& in)
 {
   Text_lines line(in);
-  const Off_header header(line);
-  if(!header.error.empty() || header.is_binary)
+  const Off_header header(in, line);
+  if(!header.error.empty())
     return header.error;
+  if(header.is_binary)
+    return "it ends before the last of " + std::to_string(header.number_of_vertices) +
+           " vertices and " + std::to_string(header.number_of_faces) + " faces";
   const auto end = [](const std::size_t i, const std::size_t size, const std::string& of) {
     return "it ends after " + std::to_string(i) + " of " + std::to_string(size) + ' ' + of;
   };
@@ -271,11 +286,11 @@ inline std::string error_in_ply_lists(const Ply_header& header, std::istream& in
   return "";
 }
 
-// Returns an error that crashes CGAL's reader, or an empty string.
+// Returns what CGAL's reader takes for something else, or crashes at; or an empty string.
 inline std::string fatal_error_in_ply(std::istream& in)
 {
   const Ply_header header(in);
-  const std::string result = header.error_in_coordinates();
+  const std::string result = header.error();
   return result.empty() ? error_in_ply_lists(header, in) : result;
 }
 

@@ -107,14 +107,19 @@ private:
   bool m_is_reversed;
 };
 
+// Whether it is no type that the size of a list can have.
+inline bool is_of_fractions(const std::string& type)
+{
+  return type.rfind("float", 0) == 0 || type.rfind("double", 0) == 0;
+}
+
 // Calls `take(element, property, numbers)` for each property of each element, in the order of the
 // file: lists have any number of numbers, other properties have one. Stops when that returns false,
 // or a number is not there. Returns whether all was read.
 template <typename F>
 bool read_ply_properties(std::istream& in, const Ply_header& header, F take)
 {
-  if(!header.begins || !header.ends ||
-     (header.format != "ascii" && header.format.rfind("binary_", 0) != 0))
+  if(!header.begins || !header.ends || !header.error().empty())
     return false;
   Ply_numbers input(in, header.format);
   std::vector<double> numbers;
@@ -125,7 +130,8 @@ bool read_ply_properties(std::istream& in, const Ply_header& header, F take)
     {
       all.emplace_back(&property, Ply_numbers::reader_of(property.type_of_number),
                        Ply_numbers::reader_of(property.type_of_size));
-      if(!std::get<1>(all.back()) || (property.bytes_of_size > 0 && !std::get<2>(all.back())))
+      if(!std::get<1>(all.back()) || (property.bytes_of_size > 0 && !std::get<2>(all.back())) ||
+         is_of_fractions(property.type_of_size))
         return false;
     }
     for(std::size_t i = 0; i < element.number && !all.empty(); ++i)
@@ -204,7 +210,7 @@ bool read_ply_quickly(std::istream& in,
   const std::size_t number_of_vertices = header.number_of["vertex"];
   const std::size_t number_of_faces = header.number_of["face"];
   // no element takes fewer bytes
-  if(!header.error_in_coordinates().empty() || number_of_vertices > bytes_of_file / 6 ||
+  if(!header.error().empty() || number_of_vertices > bytes_of_file / 6 ||
      number_of_faces > bytes_of_file / 6)
     return false;
   points.reserve(number_of_vertices);
