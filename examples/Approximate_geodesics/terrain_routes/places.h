@@ -67,6 +67,8 @@ inline std::vector<Grid_cell> cells_of(const std::string& option,
       });
     else
       name_in_errors(option, [&] { result.push_back(cell_of(text, frame, is_periodic)); });
+  if(result.empty() && !texts.empty()) // files may hold nothing but comments
+    throw std::invalid_argument(option + ": there must be at least one");
   return result;
 }
 

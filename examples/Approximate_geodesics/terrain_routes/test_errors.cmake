@@ -48,6 +48,10 @@ refuse("--sources: .1. is not x,y" ring.asc -s 1)
 refuse("--sources: cell:0.5,0: column and row must be whole numbers" ring.asc -s cell:0.5,0)
 refuse("--sources: cell:3,0 is not in the raster, which has 3 columns and 3 rows" ring.asc -s cell:3,0)
 refuse("--targets: 99,203 is not in the raster" ring.asc -s cell:0,0 -t 99,203)
+file(WRITE ${folder}/nowhere.txt "# none yet\n")
+refuse("--sources: there must be at least one" ring.asc -s file:nowhere.txt)
+refuse("--targets: there must be at least one" ring.asc -s cell:0,0 -t file:nowhere.txt)
+file(REMOVE ${folder}/nowhere.txt)
 refuse("--targets missing.txt: cannot read missing.txt: No such file" ring.asc -s cell:0,0 -t
        file:missing.txt)
 
