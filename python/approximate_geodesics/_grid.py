@@ -50,8 +50,8 @@ class Grid:
         The steepest slope of lines, uphill and downhill: height per horizontal length. It needs
         heights. A line keeps it in all cells that it crosses, and there are no zigzags in its
         place, so that a wall one cell wide is a wall. Paths turn at centers; so they can still
-        cross a slope up to 15 times as steep, on lines along it. Give cells infinite friction that
-        are too steep in any direction.
+        cross a slope up to 10 times as steep (for square cells), on lines along it, which can make
+        them 23 % too long. Give cells infinite friction that are too steep in any direction.
     epsilon : float, optional
         Paths cost at most `1 + epsilon` times as much as the cheapest ones in the plane, for
         friction alone. Without it, there is no bound where friction changes; where it does not,

@@ -31,8 +31,8 @@ class Solver:
     epsilon : float, optional
         Paths are at most `1 + epsilon` times as long as the shortest ones; `0` asks for exact ones.
         Without it, paths run along edges, which is the fastest, and has no bound: across a regular
-        grid they are 41 % too long. `0` is refused with face weights, directional costs and
-        barriers, which there are no exact distances with.
+        grid they are 41 % too long. `0` is refused with face weights, directional costs,
+        `max_slope` and barriers, which there are no exact distances with.
     threads : int, optional
         How many threads build the graph and compute matrices; by default, one per core.
     face_weights : (m,) array of float, optional
@@ -61,7 +61,8 @@ class Solver:
         Edges that paths must not cross, by their two vertices.
     may_change : bool
         Whether the bound also holds after `set_weights` and `set_barriers`, which takes more
-        points. This is not saved.
+        points; not with directional costs or `max_slope`, where nothing can change. This is not
+        saved.
     progress : callable, optional
         Called while the graph is built.
 
@@ -104,6 +105,11 @@ class Solver:
         may_change: bool = False,
         progress: Optional[Progress] = None,
     ) -> None:
+        if may_change and not (costs is None and max_slope is None):
+            raise ValueError(
+                f"may_change: with {'max_slope' if costs is None else 'costs'}, neither weights nor "
+                "barriers can change"
+            )
         coordinates = _arrays.numbers(vertices, "vertices", (-1, 3))
         corners = _arrays.triangles(faces, "faces")
         weights = ends = None
@@ -365,8 +371,8 @@ class Solver:
         Raises
         ------
         ValueError
-            If the solver was made with neither face weights nor barriers, or a face or a weight
-            cannot be right; nothing has changed then.
+            If the solver was made with neither face weights nor barriers, or with directional costs
+            or `max_slope`, or a face or a weight cannot be right; nothing has changed then.
         """
         numbers = _arrays.integers(faces, "faces", (-1,)).astype(np.int64, copy=False)
         values = _arrays.numbers(weights, "weights", (len(numbers),))
@@ -833,7 +839,8 @@ class Solver:
         Returns
         -------
         (n,) array of float64
-            Infinity for vertices that are not reached. Costs and barriers do not count.
+            Infinity for vertices that are not reached. Weights, directional costs, `max_slope` and
+            barriers do not count.
         """
         (elements, coordinates), _ = _arrays.points(points, "point")
         return _native.distances_from_curve(
@@ -843,7 +850,10 @@ class Solver:
     def distances_from_region(
         self, faces: npt.ArrayLike, *, progress: Optional[Progress] = None
     ) -> _arrays.Floats:
-        """Exact distances of all vertices from a set of faces, (k,); `0` in these."""
+        """Exact distances of all vertices from a set of faces, (k,); `0` in these.
+
+        Weights, directional costs, `max_slope` and barriers do not count.
+        """
         numbers = _arrays.integers(faces, "faces", (-1,))
         return _native.distances_from_region(self._solver, numbers.tolist(), _checked(progress))
 
@@ -1323,7 +1333,7 @@ def _max_slope(max_slope: Optional[float]) -> float:
         return float("inf")
     result = _number(max_slope, "max_slope")
     if not result >= 0:
-        raise ValueError(f"max_slope is {max_slope}; it must not be negative")
+        raise ValueError(f"max_slope is {max_slope}; it must be a number that is not negative")
     return result
 
 

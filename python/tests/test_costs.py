@@ -195,8 +195,11 @@ def test_slopes_are_limited():
     with pytest.raises(ValueError, match="steeper than max_slope.*accept_weaker_bound"):
         ag.Solver(vertices, faces, 0.1, max_slope=limit)
     for wrong in (-1, np.nan):
-        with pytest.raises(ValueError, match="max_slope is"):
+        with pytest.raises(ValueError, match="max_slope is .*; it must be a number that is not negative"):
             ag.Solver(vertices, faces, max_slope=wrong)
+    for options in ({"max_slope": limit}, {"costs": ag.HikingTime()}):
+        with pytest.raises(ValueError, match=f"may_change: with {list(options)[0]}, neither"):
+            ag.Solver(vertices, faces, 0.1, may_change=True, accept_weaker_bound=True, **options)
 
 
 def test_free_faces_are_crossed_straight_on():

@@ -212,9 +212,10 @@ private:
                                         m_heights->number_without(), "heights");
     m_description += described_map(m_frame, m_shape, m_metric.middle(), unit_of_lengths());
     if(m_heights_raster && !m_unit_of_heights.name.empty())
-      m_description += described_heights(
-          m_unit_of_heights, m_options.unit_of_heights || m_frame.system.unit_of_heights ||
-                                 !m_heights_raster->values().unit.empty());
+      m_description += described_heights(m_unit_of_heights,
+                                         m_options.unit_of_heights ||
+                                             m_heights_raster->frame().system.unit_of_heights ||
+                                             !m_heights_raster->values().unit.empty());
   }
 
   template <typename Friction>

@@ -36,7 +36,7 @@ inline std::size_t side_of_tiles(const Costs& costs, const Options& options)
       number_of_corners;
   const double size_of_cell =
       of_cell + (costs.has_heights() ? of_height : 0) + of_node * nodes_of_cell;
-  const auto margins = static_cast<double>(2 * Grid_graph::largest_reach());
+  const auto margins = static_cast<double>(2 * (Grid_graph::largest_reach() + 1)); // of tiles
   const double side =
       std::sqrt(std::max(0., static_cast<double>(options.memory) - of_program) / size_of_cell) -
       margins;

@@ -26,8 +26,10 @@ inline po::options_description describe_raster(Options& options)
   add("band", text_option("N"),
       "the band to read of RASTER, or of --heights if that comes alone (default: 1)");
   add("no-data", text_option("V"),
-      "the value of cells that cannot be entered, in place of the one that the files name; nan is "
-      "possible. An infinite friction, masks and alpha bands forbid cells, too");
+      "the value of cells that cannot be entered, in place of the one that the files name: as it "
+      "is "
+      "stored, before scale and offset; nan is possible. An infinite friction, masks and alpha "
+      "bands forbid cells, too");
   add("snap", po::bool_switch(&options.snaps),
       "move sources and targets that cannot be entered to the nearest cells that can be");
   add("unit", text_option("U"),

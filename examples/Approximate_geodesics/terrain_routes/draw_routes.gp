@@ -12,6 +12,12 @@
 #   x_label, y_label, cost_label   what axes show
 #   downward                   whether y grows from the first row to the last
 #   ratio                      of the height of the map to its width
+# Numbers without a decimal point are integers, and gnuplot would round their quotients.
+x_min = real(x_min)
+x_max = real(x_max)
+y_min = real(y_min)
+y_max = real(y_max)
+ratio = real(ratio)
 set terminal pngcairo size (ratio > 1 ? 1100 / ratio + 400 : 1500), \
              (ratio > 1 ? 1300 : 1100 * ratio + 200) font 'sans,15'
 set output picture

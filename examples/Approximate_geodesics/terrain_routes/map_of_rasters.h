@@ -122,9 +122,11 @@ inline void set_cell_size(const Options& options, const Raster_frame& frame, Gri
     return;
   shape.first_latitude = (frame.y_step < 0 ? frame.y : -frame.y) * unit;
   shape.ellipsoid = system.ellipsoid;
-  constexpr double round = 360, tolerance = 0.01; // of a cell
-  shape.is_periodic = std::abs(shape.width() - round) <= tolerance * shape.cell_width &&
+  constexpr double round = 360; // the size of cells may be rounded
+  shape.is_periodic = std::abs(shape.width() - round) < 0.5 * shape.cell_width &&
                       shape.columns > 2 * CGAL::Approximate_geodesics::Grid_graph::largest_reach();
+  if(shape.is_periodic)
+    shape.cell_width = round / static_cast<double>(shape.columns);
 }
 
 // Refuses what is not on a globe.
@@ -135,14 +137,16 @@ inline void check_extent(const Options& options, const Raster_frame& frame, cons
   const auto is_above = [](const double value, const double limit, const double cell) {
     return !(value <= limit + tolerance * cell);
   };
+  const double degrees = frame.system.degrees;
   if(is_above(*shape.first_latitude, pole, shape.cell_height) ||
      is_above(-last, pole, shape.cell_height))
-    reject_raster(options.main_raster(),
-                  described_extent("latitudes go", frame.y, frame.y_step, frame.rows) +
-                      "; they must be from -90 to 90 degrees");
+    reject_raster(options.main_raster(), described_extent("latitudes go", frame.y * degrees,
+                                                          frame.y_step * degrees, frame.rows) +
+                                             "; they must be from -90 to 90 degrees");
   if(is_above(shape.width(), round, shape.cell_width))
     reject_raster(options.main_raster(),
-                  described_extent("longitudes go", frame.x, frame.x_step, frame.columns) +
+                  described_extent("longitudes go", frame.x * degrees, frame.x_step * degrees,
+                                   frame.columns) +
                       ", more than once round; gdal_translate -srcwin leaves columns out that are "
                       "there twice");
 }
@@ -179,7 +183,7 @@ unit_of_heights(const Options& options, const Raster_frame& frame, const Raster_
       reject_option("height-unit", options.heights + " has heights in \"" + text +
                                        "\", which is no known unit of length");
     }
-    return frame.system.unit_of_heights;
+    return heights.frame().system.unit_of_heights;
   }();
   if(!known)
     return frame.system.is_geographic || options.cell_size ? Length_unit{"m", 1}

@@ -6,7 +6,9 @@
 #include "describe_options.h"
 #include "slope_functions.h"
 
+#include <algorithm>
 #include <array>
+#include <cctype>
 #include <cmath>
 #include <cstddef>
 #include <limits>
@@ -65,8 +67,10 @@ inline Length_unit read_unit(const std::string& option, const std::string& text)
 
 inline double read_no_data(const std::string& text)
 {
-  return text == "nan" || text == "NaN" ? std::numeric_limits<double>::quiet_NaN()
-                                        : number_of("no-data", text);
+  std::string lower = text;
+  std::transform(text.begin(), text.end(), lower.begin(),
+                 [](const unsigned char c) { return static_cast<char>(std::tolower(c)); });
+  return lower == "nan" ? std::numeric_limits<double>::quiet_NaN() : number_of("no-data", text);
 }
 
 inline void read_values(const po::variables_map& values, Options& options)

@@ -3,9 +3,11 @@
 
 #include "../command_line/lines_of_file.h"
 #include "rasters/Raster.h"
+#include "rasters/descriptions.h"
 
 #include <CGAL/Approximate_geodesics/Graphs/Grid_shape.h>
 
+#include <algorithm>
 #include <cmath>
 #include <cstddef>
 #include <cstdlib>
@@ -26,7 +28,16 @@ inline double coordinate(const std::string& text, const std::string& place)
   return result;
 }
 
-// On rasters that go round, coordinates may be those of any turn.
+// Returns the longitude of the same place that is in the turn where the raster begins.
+inline double longitude_on(const Raster_frame& frame, const double x)
+{
+  const double turn = 360 / frame.system.degrees,
+               west =
+                   std::min(frame.x, frame.x + static_cast<double>(frame.columns) * frame.x_step);
+  return x - turn * std::floor((x - west) / turn);
+}
+
+// Longitudes may be those of any turn.
 inline Grid_cell
 cell_of(const std::string& place, const Raster_frame& frame, const bool is_periodic)
 {
@@ -39,6 +50,8 @@ cell_of(const std::string& place, const Raster_frame& frame, const bool is_perio
     throw std::invalid_argument(place + ": column and row must be whole numbers");
   if(!is_cell)
   {
+    if(frame.system.is_geographic)
+      column = longitude_on(frame, column);
     column = std::floor((column - frame.x) / frame.x_step);
     const auto columns = static_cast<double>(frame.columns);
     if(is_periodic)
@@ -47,9 +60,11 @@ cell_of(const std::string& place, const Raster_frame& frame, const bool is_perio
   }
   if(!(column >= 0 && column < static_cast<double>(frame.columns) && row >= 0 &&
        row < static_cast<double>(frame.rows)))
-    throw std::invalid_argument(place + " is not in the raster, which has " +
-                                std::to_string(frame.columns) + " columns and " +
-                                std::to_string(frame.rows) + " rows");
+    throw std::invalid_argument(
+        place + " is not in the raster, which has " + std::to_string(frame.columns) +
+        " columns and " + std::to_string(frame.rows) + " rows, " +
+        described_extent("x", frame.x, frame.x_step, frame.columns) + ", and " +
+        described_extent("y", frame.y, frame.y_step, frame.rows));
   return {static_cast<std::size_t>(column), static_cast<std::size_t>(row)};
 }
 
@@ -67,6 +82,8 @@ inline std::vector<Grid_cell> cells_of(const std::string& option,
       });
     else
       name_in_errors(option, [&] { result.push_back(cell_of(text, frame, is_periodic)); });
+  if(result.empty() && !texts.empty()) // files may hold nothing but comments
+    throw std::invalid_argument(option + ": there must be at least one");
   return result;
 }
 

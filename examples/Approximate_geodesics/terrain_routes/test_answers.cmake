@@ -118,4 +118,8 @@ find_program(gnuplot gnuplot)
 if(gnuplot)
   expect(0 "p.png" ${PROGRAM} ring.asc -s cell:0,0 -t cell:2,2 -o p --picture)
   expect_contents(p.png "PNG")
+
+  # borders at whole numbers, and cells that are smaller than 1
+  file(WRITE ${folder}/half.asc "ncols 2\nnrows 2\ncellsize 0.5\n1 2\n3 4\n")
+  expect(0 "half.png" ${PROGRAM} half.asc -s cell:0,0 -o half --picture)
 endif()

@@ -47,7 +47,12 @@ refuse("--sources: .one. is not x,y, cell:C,R or file:NAME" ring.asc -s one)
 refuse("--sources: .1. is not x,y" ring.asc -s 1)
 refuse("--sources: cell:0.5,0: column and row must be whole numbers" ring.asc -s cell:0.5,0)
 refuse("--sources: cell:3,0 is not in the raster, which has 3 columns and 3 rows" ring.asc -s cell:3,0)
-refuse("--targets: 99,203 is not in the raster" ring.asc -s cell:0,0 -t 99,203)
+refuse("--targets: 99,203 is not in the raster, which has 3 columns and 3 rows, x from 100 to 106, and y \
+from 200 to 206" ring.asc -s cell:0,0 -t 99,203)
+file(WRITE ${folder}/nowhere.txt "# none yet\n")
+refuse("--sources: there must be at least one" ring.asc -s file:nowhere.txt)
+refuse("--targets: there must be at least one" ring.asc -s cell:0,0 -t file:nowhere.txt)
+file(REMOVE ${folder}/nowhere.txt)
 refuse("--targets missing.txt: cannot read missing.txt: No such file" ring.asc -s cell:0,0 -t
        file:missing.txt)
 
@@ -69,6 +74,8 @@ refuse_raster("row 0: .nonsense. is not a number" "ncols 2" "nrows 1" "cellsize 
 refuse_raster("row 0: .x. is not a number" "ncols 2" "nrows 1" "cellsize 1" "1 x")
 refuse_raster("the cost of cell 1,0 .column, row. is nan" "ncols 2" "nrows 1" "cellsize 1" "1 nan")
 refuse_raster("the cost of cell 0,0 .column, row. is -2" "ncols 2" "nrows 1" "cellsize 1" "-2 1")
+refuse("cannot read a raster from ring.npy: the cost of cell 1,1 .column, row. is -1" ring.npy -s cell:0,0
+       --no-data NAN)
 refuse("cannot read a raster from ring.asc: it has no bands that could be chosen" ring.asc -s cell:0,0
        --band 2)
 file(WRITE ${folder}/bad.npy "text")

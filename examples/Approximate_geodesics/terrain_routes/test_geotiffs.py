@@ -2,12 +2,13 @@
 """Rasters that GDAL's own tools make: types of values, bands, masks, scales, units, coordinate systems, bodies,
 orientations. terrain_routes reads each as it is, or converts it, or refuses it with the reason.
 
-Usage: test_geotiffs.py PROGRAM [TABLE]
+Usage: test_geotiffs.py PROGRAM [TABLE [EXPECTED]]
 
-PROGRAM is terrain_routes, compiled with GDAL. What has become of each raster is written to TABLE. Expected costs are
-those of straight lines, which are computed here.
+PROGRAM is terrain_routes, compiled with GDAL. What has become of each raster is written to TABLE, and compared with
+the table EXPECTED, if it is there. Expected costs are those of straight lines, which are computed here.
 """
 
+import difflib
 import math
 import os
 import pathlib
@@ -116,6 +117,11 @@ def created(columns, rows, *bounds):
         "gdal_create", "-ot", "Byte", "-burn", "1", "-outsize", str(columns), str(rows), "-a_srs", "EPSG:4326",
         "-a_ullr", *map(str, bounds), name,
     )  # fmt: skip
+
+
+def rounded_earth(name):
+    """Two rows at the equator, of cells that are 360 degrees but for rounding."""
+    text_raster([1] * 4320, "raster.asc", 2, "xllcorner -180\nyllcorner -0.083333\ncellsize 0.083333")
 
 
 def warped(*options):
@@ -229,6 +235,14 @@ CASES = [
     ("heights in feet by their part of the coordinate system",
      translate("climb.asc", "-a_srs", "EPSG:26912+6360", "-a_scale", repr(1 / US_FOOT), "-a_offset", "0"), "converted",
      seconds(), ["--heights", "RASTER", *HIKE]),
+    ("heights in feet by their own coordinate system, beside friction on the plane",
+     translate("flat.asc", "-a_srs", "EPSG:26912"),
+     "converted", seconds(), ["RASTER", "--heights", "OTHER", *HIKE],
+     translate("climb.asc", "-of", "VRT", "-a_srs", "EPSG:26912+6360", "-a_scale", repr(1 / US_FOOT), "-a_offset", "0")),
+    ("feet in the coordinate system of friction are not those of heights",
+     translate("flat.asc", "-of", "VRT", "-a_srs", "EPSG:26912+6360"),
+     "read", seconds(), ["RASTER", "--heights", "OTHER", *HIKE],
+     translate("climb.asc", "-of", "VRT", "-a_srs", "EPSG:26912")),
     ("heights in feet on a map without a system",
      virtual(("climb.asc", "Float64", "Gray", "<UnitType>ft</UnitType>"),
              dataset="<GeoTransform>0,10,0,90,0,-10</GeoTransform>"), "refused",
@@ -238,11 +252,19 @@ CASES = [
      ["--heights", "RASTER", *HIKE]),
     ("no coordinate system, and an option", translate("flat.asc"), "converted", 80 * 0.3048,
      ["RASTER", *ACROSS, "--unit", "ft"]),
+    ("no coordinate system, with coordinates of centers",
+     translate("climb.asc", "-mo", "AREA_OR_POINT=Point"), "read",
+     "no coordinate system.*as they are taken for meters.*cost 81.54", ["--heights", "RASTER", *HIKE]),
     ("a local system", translate("flat.asc", "-a_srs", LOCAL), "read", 80, ["RASTER", *ACROSS]),
     ("Web Mercator", translate("flat.asc", "-a_srs", "EPSG:3857", "-a_ullr", "0", "8400000", "90", "8399910"),
      "read", r"lengths on the map are 1\.99[0-9]* to 1\.99[0-9]* times those on the ground.*cost 80,", ["RASTER", *ACROSS]),
     ("a system of three coordinates from the Earth's center", translate("flat.asc", "-a_srs", "EPSG:4978"), "refused",
      "its coordinate system, .*, is neither geographic, nor projected", ["RASTER", *ACROSS]),
+    ("Web Mercator, round the Earth",
+     translate("flat.asc", "-a_srs", "EPSG:3857", "-a_ullr", "-20037508.3427892", "8400000", "20037508.3427892",
+               "-8400000"), "read",
+     r"map are 1 to 2\.[0-9]* times those on the ground\nRound the Earth: no path leads from the last column",
+     ["RASTER", *ACROSS]),
     ("degrees", created(9, 9, 10, 50.45, 10.9, 49.55), "converted", along_parallel(50, 0.8), ["RASTER", *ACROSS]),
     ("degrees, by gdalwarp", warped("-t_srs", "EPSG:4326", "-ts", "9", "9"), "converted", "cost [67]",
      ["RASTER", *ACROSS]),
@@ -264,6 +286,10 @@ CASES = [
      translate("flat.asc", "-a_srs", "EPSG:4326", *ALIEN_LATITUDES)),
     ("the same system with and without heights", translate("flat.asc", "-a_srs", "EPSG:26912"), "read",
      seconds(), ["RASTER", "--heights", "OTHER", *HIKE], translate("climb.asc", "-a_srs", "EPSG:26912+5703")),
+    ("degrees with and without ellipsoidal heights",
+     translate("flat.asc", "-a_srs", "EPSG:4326", *ALIEN_LATITUDES), "converted",
+     along_parallel(0, 0.08), ["RASTER", "--heights", "OTHER", *ACROSS],
+     translate("flat.asc", "-a_srs", "EPSG:4979", *ALIEN_LATITUDES)),
     # places on the map
     ("the first row in the south", translate("flat.asc", *UTM, "-a_ullr", "0", "0", "90", "90"), "read",
      "y from 0 to 90 m.*cost 80,", ["RASTER", *ACROSS]),
@@ -271,6 +297,9 @@ CASES = [
      "x from 0 to 90, y.*cost 80,", ["RASTER", *ACROSS]),
     ("turned", virtual(("flat.asc", "Byte", "Gray", ""), dataset="<GeoTransform>0,8,6,0,6,-8</GeoTransform>"),
      "refused", "its rows do not run along the x axis", ["RASTER", *ACROSS]),
+    ("turned by rounding",
+     virtual(("flat.asc", "Byte", "Gray", ""), dataset="<GeoTransform>0,10,1e-13,90,-1e-13,-10</GeoTransform>"),
+     "read", "cost 80,", ["RASTER", *ACROSS]),
     ("control points",
      virtual(("flat.asc", "Byte", "Gray", ""), dataset='<GCPList Projection="EPSG:4326">'
              '<GCP Id="1" Pixel="0" Line="0" X="10" Y="50"/><GCP Id="2" Pixel="9" Line="0" X="11" Y="51"/>'
@@ -285,10 +314,16 @@ CASES = [
      along_parallel(0.5, 2), ["RASTER", "-s", "cell:359,89", "-t", "cell:1,89"]),
     ("the Earth from 0 to 360 degrees", created(720, 360, 0, 90, 360, -90), "converted",
      along_parallel(0.25, 1), ["RASTER", "-s", "cell:719,179", "-t", "cell:1,179"]),
+    ("the Earth with cells of a rounded size", rounded_earth, "converted",
+     along_parallel(0.0416665, 2 / 12), ["raster.asc", "--degrees", "-s", "cell:4319,0", "-t", "cell:1,0"]),
+    ("longitudes of another turn", created(20, 9, 170, 4.5, 190, -4.5), "converted",
+     along_parallel(0, 8), ["RASTER", "-s", "-178.5,0", "-t", "cell:19,4"]),
     ("the Earth but for a degree", created(359, 180, -180, 90, 179, -90), "converted",
      along_parallel(0.5, 8), ["RASTER", "-s", "cell:350,89", "-t", "cell:358,89"]),
     ("the Earth and a degree more", created(361, 180, -180, 90, 181, -90), "refused", "longitudes go from -180 to 181, more than once round",
      ["RASTER", "-s", "cell:359,89"]),
+    ("latitudes in grads beyond the poles", translate("flat.asc", "-a_srs", GRADS, "-a_ullr", "10", "110", "19", "101"),
+     "refused", "latitudes go from 90.9 to 99; they must be from -90 to 90 degrees", ["RASTER", *ACROSS]),
     ("latitudes beyond the poles", created(9, 9, 0, 95, 9, 86), "refused", "latitudes go from 86 to 95",
      ["RASTER", "-s", "cell:0,0"]),
 ]  # fmt: skip
@@ -318,7 +353,15 @@ def check(program, what, make, kind, expected, arguments, make_other=None):
     return [line for line in output.splitlines() if line and not line.startswith(("Written", "Largest"))]
 
 
-def main(program, table=None):
+def differences(table, expected):
+    """Lines that differ from the table that is kept, which is not part of an installation."""
+    if not expected or not pathlib.Path(expected).exists():
+        return []
+    kept = pathlib.Path(expected).read_text().splitlines()
+    return list(difflib.unified_diff(kept, table.read_text().splitlines(), expected, str(table), n=0, lineterm=""))
+
+
+def main(program, table=None, expected=None):
     for tool in ("gdal_translate", "gdal_create", "gdalwarp"):
         if not shutil.which(tool):
             print(f"NOTICE: {tool} is missing (Debian: gdal-bin), so rasters of GDAL are not tested.")
@@ -341,10 +384,12 @@ def main(program, table=None):
     print(f"{len(CASES)} rasters: {summary}; {number_wrong} not as expected")
     if table:
         table.write_text(f"# Output of {pathlib.Path(__file__).name}: {summary}\n" + "\n".join(lines) + "\n")
-    return 1 if number_wrong else 0
+    differing = differences(table, expected) if table else []
+    print(*differing, sep="\n", end="\n" if differing else "")
+    return 1 if number_wrong or differing else 0
 
 
 if __name__ == "__main__":
-    if not 2 <= len(sys.argv) <= 3:
+    if not 2 <= len(sys.argv) <= 4:
         sys.exit(__doc__)
     sys.exit(main(*sys.argv[1:]))

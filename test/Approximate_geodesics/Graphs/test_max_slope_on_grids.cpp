@@ -118,6 +118,24 @@ TEST(Max_slope_on_grids, makes_paths_zigzag_at_centers_on_a_plane)
   EXPECT_LT(exact, 0.997 * limited_cost(shape, height, 0.499, {40, 5}, {40, 55}));
 }
 
+TEST(Max_slope_on_grids, allows_planes_ten_times_as_steep)
+{
+  const Grid_shape shape{241, 61, 1, 1, {}};
+  const Cell_values height = values_of_cells(shape, [](double, const double y) { return y; });
+  const Grid_cell below{120, 0}, above{120, 60};
+  EXPECT_EQ(no_way, cost_across(shape, height, 0.099, below, above));
+  double largest = 1;
+  for(const double limit : {0.1, 0.15, 0.19, 0.24, 0.3, 0.4, 0.5, 0.7, 0.9})
+  {
+    const double shortest = 60 * std::hypot(1, limit) / limit; // of a zigzag
+    const double ratio = cost_across(shape, height, limit, below, above) / shortest;
+    EXPECT_GE(ratio, 1 - 1e-9);
+    largest = (std::max)(largest, ratio);
+  }
+  EXPECT_GT(largest, 1.2);
+  EXPECT_LT(largest, 1.23);
+}
+
 // ----- an oracle
 
 // Height on the surface of two triangles between four centers, divided by a diagonal; `u` and `v`

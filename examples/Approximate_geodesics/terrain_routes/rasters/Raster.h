@@ -43,6 +43,7 @@ struct Raster_frame
   // The smallest and the largest ratio of lengths on the map to those on the ellipsoid, where a
   // projection tells.
   std::optional<std::array<double, 2>> stretch;
+  bool is_round = false; // whether its columns are all longitudes, where a projection tells
 };
 
 // What the values of a raster are.

@@ -87,6 +87,9 @@ described_map(const Raster_frame& frame,
   if(frame.stretch && std::max((*frame.stretch)[1] - 1, 1 - (*frame.stretch)[0]) > worth_telling)
     out << "\nProjection: lengths on the map are " << (*frame.stretch)[0] << " to "
         << (*frame.stretch)[1] << " times those on the ground";
+  if(frame.is_round)
+    out << "\nRound the Earth: no path leads from the last column to the first one, as coordinates "
+           "are not in degrees";
   out << "\nCells: " << middle.width << in << " by " << middle.height << in
       << (shape.first_latitude ? " in the middle" : "")
       << (unit.empty() ? ", in the unit of the map"

@@ -56,7 +56,7 @@ public:
     if(const OGRSpatialReferenceH system = GDALGetSpatialRef(m_dataset.get()))
     {
       m_frame.system = read_system(m_file, system);
-      m_frame.stretch = stretch_of(m_frame, system);
+      read_stretch(system, m_frame);
     }
   }
 
@@ -185,7 +185,9 @@ private:
                               "rows and columns on the map");
       return;
     }
-    if(t[2] != 0 || t[4] != 0)
+    constexpr double rounding = 1e-3; // of a cell, at the last row or column
+    if(!(std::abs(t[2]) * static_cast<double>(m_frame.rows) <= rounding * std::abs(t[1]) &&
+         std::abs(t[4]) * static_cast<double>(m_frame.columns) <= rounding * std::abs(t[5])))
       reject_raster(m_file, "its rows do not run along the x axis of the map");
     m_frame.is_on_map = true;
     m_frame.x = t[0];
@@ -208,7 +210,10 @@ System plane_system(const Map_system& system)
 {
   System result(OSRNewSpatialReference(system.well_known.c_str()));
   if(result)
+  {
     OSRStripVertical(result.get());
+    OSRDemoteTo2D(result.get(), nullptr); // which leaves compound systems as they are
+  }
   return result;
 }
 

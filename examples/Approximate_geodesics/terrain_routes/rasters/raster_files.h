@@ -26,13 +26,14 @@ inline std::unique_ptr<Raster_reader> open_raster(const std::string& file,
 {
   check_readable(file);
   std::unique_ptr<Raster_reader> result;
-  if(ending_of(file) == ".npy")
+  const std::string ending = ending_of(file);
+  if(ending == ".npy")
     result = std::make_unique<Npy_reader>(file);
-  else if(ending_of(file) == ".asc")
+  else if(ending == ".asc")
     result = std::make_unique<Ascii_grid_reader>(file);
   else
-    return open_gdal(file, band);
-  if(band.value_or(1) > 1)
+    result = open_gdal(file, band);
+  if(band.value_or(1) > 1 && (ending == ".npy" || ending == ".asc"))
     reject_raster(file, "it has no bands that could be chosen");
   check_number_of_cells(file, result->frame());
   return result;

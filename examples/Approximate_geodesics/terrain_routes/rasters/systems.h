@@ -11,7 +11,6 @@
 #include <cmath>
 #include <limits>
 #include <memory>
-#include <optional>
 #include <string>
 
 // Coordinate systems, as GDAL understands them. For gdal.cpp only.
@@ -64,10 +63,21 @@ inline void read_vertical(OGRSpatialReferenceH system, Map_system& result)
     result.unit_of_heights = length_unit(name).value_or(Length_unit{name, meters});
 }
 
+// Whether it stands for no system: GDAL has one of this kind for files that tell only whether their
+// coordinates are those of centers.
+inline bool is_blank(OGRSpatialReferenceH system)
+{
+  char* unit = nullptr;
+  OSRGetLinearUnits(system, &unit);
+  return OSRIsLocal(system) != 0 && unit != nullptr && EQUAL(unit, "unknown");
+}
+
 // Refuses a system of a kind that has no lengths, or that is not known to have any.
 inline Map_system read_system(const std::string& file, OGRSpatialReferenceH system)
 {
   Map_system result;
+  if(is_blank(system))
+    return result;
   const char* const name = OSRGetName(system);
   result.name = name != nullptr && *name != '\0' ? name : "unnamed";
   result.well_known = well_known_text(system);
@@ -127,36 +137,53 @@ inline void add_stretch(const Raster_frame& frame,
   for(const int i : {1, 2})
   {
     const double on_map = std::abs(i == 1 ? frame.x_step : frame.y_step) * frame.system.unit.meters;
-    const double ratio = on_map / std::hypot((x[i] - x[0]) * radians * across * std::cos(latitude),
+    const double longitude = std::remainder(x[i] - x[0], 360.); // the shorter way round
+    const double ratio = on_map / std::hypot(longitude * radians * across * std::cos(latitude),
                                              (y[i] - y[0]) * radians * along);
     if(std::isfinite(ratio))
       range = {std::min(range[0], ratio), std::max(range[1], ratio)};
   }
 }
 
-// Returns that range at nine places of a raster, as far as they can be transformed.
-inline std::optional<std::array<double, 2>> stretch_of(const Raster_frame& frame,
-                                                       OGRSpatialReferenceH system)
+// Whether the columns of a raster are all longitudes once, in the middle row.
+inline bool is_round(const Raster_frame& frame, OGRCoordinateTransformationH transformation)
+{
+  const auto columns = static_cast<double>(frame.columns);
+  const double middle = frame.y + 0.5 * static_cast<double>(frame.rows) * frame.y_step;
+  double x[] = {frame.x, frame.x + frame.x_step, frame.x + columns * frame.x_step},
+         y[] = {middle, middle, middle};
+  if(OCTTransform(transformation, 3, x, y, nullptr) == 0)
+    return false;
+  constexpr double round = 360;
+  const double cell = std::abs(std::remainder(x[1] - x[0], round));
+  return std::abs(columns * cell - round) < 0.5 * cell &&
+         std::abs(std::remainder(x[2] - x[0], round)) < 0.5 * cell;
+}
+
+// Reads that range at nine places of a raster, as far as they can be transformed, and whether it
+// goes round.
+inline void read_stretch(OGRSpatialReferenceH system, Raster_frame& frame)
 {
   if(!frame.is_on_map || OSRIsProjected(system) == 0)
-    return {};
+    return;
   const System geographic(OSRCloneGeogCS(system)), plane(OSRClone(system));
   if(!geographic)
-    return {};
+    return;
   OSRSetAxisMappingStrategy(geographic.get(), OAMS_TRADITIONAL_GIS_ORDER);
   OSRSetAxisMappingStrategy(plane.get(), OAMS_TRADITIONAL_GIS_ORDER);
   const std::unique_ptr<void, void (*)(void*)> transformation(
       OCTNewCoordinateTransformation(plane.get(), geographic.get()),
       [](void* const t) { OCTDestroyCoordinateTransformation(t); });
-  if(!transformation)
-    return {};
-  std::array<double, 2> range{std::numeric_limits<double>::infinity(), 0};
   const double degrees = OSRGetAngularUnits(geographic.get(), nullptr) * 180 / std::acos(-1.);
-  if(std::abs(degrees - 1) < 1e-9)
-    for(const double x : {0., 0.5, 1.})
-      for(const double y : {0., 0.5, 1.})
-        add_stretch(frame, transformation.get(), ellipsoid_of("", geographic.get()), x, y, range);
-  return range[1] > 0 ? std::optional(range) : std::nullopt;
+  if(!transformation || !(std::abs(degrees - 1) < 1e-9))
+    return;
+  std::array<double, 2> range{std::numeric_limits<double>::infinity(), 0};
+  for(const double x : {0., 0.5, 1.})
+    for(const double y : {0., 0.5, 1.})
+      add_stretch(frame, transformation.get(), ellipsoid_of("", geographic.get()), x, y, range);
+  if(range[1] > 0)
+    frame.stretch = range;
+  frame.is_round = is_round(frame, transformation.get());
 }
 
 #endif // TERRAIN_ROUTES_RASTERS_SYSTEMS_H

@@ -66,8 +66,9 @@ namespace CGAL::Approximate_geodesics {
  * their place. A line has the slopes of the triangles between centers that it crosses; where the
  * two ways to divide four centers into triangles differ, it keeps the limit on both. So a wall that
  * is one cell wide is a wall. Paths still bend at centers: a slope that is steeper than the limit
- * is crossed on lines along it that are not, if it is at most 15 times as steep. Cells whose
- * steepness itself is too much, whatever the direction, need infinite friction.
+ * is crossed on lines along it that are not, if it is at most 10 times as steep and cells are
+ * square. Directions at the limit are few: on a plane of slope 1, paths are up to 23 % too long.
+ * Cells whose steepness itself is too much, whatever the direction, need infinite friction.
  *
  * With the named parameter `epsilon`, there are also nodes at the corners of cells, and on their
  * sides, in the geometric progressions of `Geometric_points`, and straight arcs between all nodes
