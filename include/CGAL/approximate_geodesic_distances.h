@@ -124,8 +124,8 @@ void write_distances(const TriangleMesh& tmesh,
  *   \cgalParamNEnd
  *   \cgalParamNBegin{max_slope}
  *     \cgalParamDescription{the steepest slope, uphill and downhill, of straight pieces of paths,
- * in units of z per horizontal unit. Costs depend on the direction then; see
- *                           `Approximate_geodesics::Directional_graph`.}
+ *                           in units of z per horizontal unit. Costs depend on the direction
+ *                           then; see `Approximate_geodesics::Directional_graph`.}
  *     \cgalParamType{a number type convertible by `CGAL::to_double()`}
  *     \cgalParamDefault{infinity: there is no limit}
  *   \cgalParamNEnd
