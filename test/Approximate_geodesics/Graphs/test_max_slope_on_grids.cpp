@@ -123,12 +123,12 @@ TEST(Max_slope_on_grids, allows_planes_ten_times_as_steep)
   const Grid_shape shape{241, 61, 1, 1, {}};
   const Cell_values height = values_of_cells(shape, [](double, const double y) { return y; });
   const Grid_cell below{120, 0}, above{120, 60};
-  EXPECT_EQ(no_way, cost_across(shape, height, 0.099, below, above));
+  EXPECT_EQ(no_way, limited_cost(shape, height, 0.099, below, above));
   double largest = 1;
   for(const double limit : {0.1, 0.15, 0.19, 0.24, 0.3, 0.4, 0.5, 0.7, 0.9})
   {
     const double shortest = 60 * std::hypot(1, limit) / limit; // of a zigzag
-    const double ratio = cost_across(shape, height, limit, below, above) / shortest;
+    const double ratio = limited_cost(shape, height, limit, below, above) / shortest;
     EXPECT_GE(ratio, 1 - 1e-9);
     largest = (std::max)(largest, ratio);
   }
