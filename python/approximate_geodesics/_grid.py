@@ -107,7 +107,7 @@ class Grid:
         if no_data is not None:
             no_data = _number(no_data, "no_data")
         hidden = no_data
-        if no_data is None and (np.ma.is_masked(friction) or np.ma.is_masked(heights)):
+        if no_data is None and (_is_masked(friction) or _is_masked(heights)):
             hidden = _NO_VALUE
         values, surface = None, None
         if friction is not None:
@@ -330,7 +330,8 @@ class Grid:
                 raise ValueError(f"the cell {(row, column)} does not exist: the shape is {self._shape}")
             nearest = int(np.argmin(self._distances_of_centers(row, column, rows, columns)))
             result[i] = rows[nearest], columns[nearest]
-        return result[0] if np.ndim(cells) == 1 and len(wanted) == 1 else result
+        one: _arrays.Integers = result[0]
+        return one if np.ndim(cells) == 1 and len(wanted) == 1 else result
 
     def _distances_of_centers(
         self, row: int, column: int, rows: _arrays.Integers, columns: _arrays.Integers
@@ -369,8 +370,12 @@ class Grid:
         return f"<Grid of {self._shape[0]} x {self._shape[1]} cells>"
 
 
+def _is_masked(values: Any) -> bool:
+    return isinstance(values, np.ma.MaskedArray) and bool(np.any(values.mask))
+
+
 def _values(
-    values: npt.ArrayLike,
+    values: Any,
     name: str,
     shape: tuple[int, ...],
     no_data: Optional[float],
@@ -378,8 +383,8 @@ def _values(
 ) -> _arrays.Floats:
     """Values of cells, in which `no_data` is that of their own type: 1e20 is no `float32`. What a mask
     hides becomes `hidden`."""
-    if np.ma.is_masked(values):
-        mask, values = np.ma.getmaskarray(values), np.ma.getdata(values)
+    if _is_masked(values):
+        mask, values = values.mask, np.asarray(values)
         result = _arrays.numbers(values, name, shape).copy()
         result[mask] = hidden
     else:

@@ -20,7 +20,7 @@ def test_fitting_arrays_are_read_where_they_are(kind):
     assert address(_arrays.numbers(VERTICES, "vertices", (-1, 3))) == address(VERTICES)
     assert address(_arrays.integers(faces, "faces", (-1, 3))) == address(faces)
     # the module underneath refuses what it would have to convert
-    _native.Solver(VERTICES, faces, 0.1, None, None, False, 0, None, False, 0, None)
+    _native.Solver(VERTICES, faces, 0.1, None, None, np.inf, False, 0, None, False, 0, None)
     for vertices, corners in [
         (VERTICES.astype(np.float32), faces),
         (np.asfortranarray(VERTICES), faces),
@@ -28,7 +28,7 @@ def test_fitting_arrays_are_read_where_they_are(kind):
         (VERTICES, faces[::2]),
     ]:
         with pytest.raises(TypeError):
-            _native.Solver(vertices, corners, 0.1, None, None, False, 0, None, False, 0, None)
+            _native.Solver(vertices, corners, 0.1, None, None, np.inf, False, 0, None, False, 0, None)
 
 
 def test_other_arrays_are_converted():
