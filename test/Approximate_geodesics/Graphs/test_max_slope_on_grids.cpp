@@ -168,7 +168,7 @@ double steepest_slope(const Grid_shape& shape, const Cell_values& height, Grid_c
       const double px = x + t * dx, py = y + t * dy;
       const double i = (std::min)(std::floor(px), double(shape.columns - 2)),
                    j = (std::min)(std::floor(py), double(shape.rows - 2));
-      const auto h = [&](const int m, const int n) {
+      const auto h = [&](const std::size_t m, const std::size_t n) {
         return height[shape.index({std::size_t(i) + m, std::size_t(j) + n})];
       };
       return height_on_triangles(h(0, 0), h(1, 0), h(0, 1), h(1, 1), px - i, py - j,

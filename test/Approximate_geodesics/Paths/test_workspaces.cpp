@@ -35,8 +35,11 @@ void expect_answers_of_new_objects(const std::size_t number_for_each_kind)
   using Questions = Questions_of_all_kinds<Random, decltype(on_answer)>;
   Questions questions(random, on_answer);
   for(std::size_t kind = 0; kind < Questions::number_of_kinds; ++kind)
-    for(const std::size_t before = number; number - before < number_for_each_kind;)
+  {
+    const std::size_t last = number + number_for_each_kind;
+    while(number < last)
       questions.ask(kind, chosen_mesh(random), 60);
+  }
   std::cout << number << " questions, " << number_wrong << " wrong answers" << std::endl;
 }
 
