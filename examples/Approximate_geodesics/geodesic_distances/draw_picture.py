@@ -182,18 +182,25 @@ def set_font(text, size):
     text.ShadowOff()
 
 
-def label(point, text, toward, shift):
-    """A text beside a ball, and before it. Where the surface hides the ball, it hides the text."""
-    actor = vtk.vtkBillboardTextActor3D()
-    distance = math.dist(point, toward)
-    actor.SetPosition(*(p + (q - p) * shift / distance for p, q in zip(point, toward)))
+def label(x, y, text):
+    actor = vtk.vtkTextActor()
+    actor.SetPosition(x + 18, y + 8)
     actor.SetInput(text)
-    actor.SetDisplayOffset(18, 8)
     style = actor.GetTextProperty()
     set_font(style, 24)
     style.SetBackgroundColor(1, 1, 1)
     style.SetBackgroundOpacity(0.7)
     return actor
+
+
+def place_in_picture(renderer, point, shift):
+    """Where a point is in a picture that was rendered, or nothing if the surface hides a ball there."""
+    viewer = renderer.GetActiveCamera().GetPosition()
+    distance = math.dist(point, viewer)
+    renderer.SetWorldPoint(*(p + (q - p) * shift / distance for p, q in zip(point, viewer)), 1)
+    renderer.WorldToDisplay()
+    x, y, depth = renderer.GetDisplayPoint()
+    return (x, y) if depth <= renderer.GetZ(round(x), round(y)) else None
 
 
 def names_of(scene):
@@ -203,7 +210,8 @@ def names_of(scene):
 
 
 def add_labels(renderer, scene, unit):
-    """The names of sources and targets, unless they are so many that they would hide the surface."""
+    """The names of sources and targets that are seen, unless they are so many that they would hide the
+    surface. The picture was rendered without them."""
     names = names_of(scene)
     number_of_sources = scene.GetNumberOfVerts()
     for kind, points, some_names in (
@@ -212,8 +220,9 @@ def add_labels(renderer, scene, unit):
     ):
         if len(some_names) <= MOST_LABELS:
             for i, name in enumerate(some_names):
-                viewer = renderer.GetActiveCamera().GetPosition()
-                renderer.AddActor(label(points.GetPoint(i), f"{kind} {name}", viewer, 0.03 * unit))
+                place = place_in_picture(renderer, points.GetPoint(i), 0.03 * unit)
+                if place:
+                    renderer.AddActor2D(label(*place, f"{kind} {name}"))
 
 
 def sources_of(scene):
@@ -291,15 +300,22 @@ def make_renderer(surface, scene, color_name, title):
     return renderer
 
 
-def save(renderer, size, filename, others=()):
+def rendered(size, *renderers):
     window = vtk.vtkRenderWindow()
     window.SetOffScreenRendering(True)
     window.SetMultiSamples(8)
     window.SetSize(*size)
-    for each in (renderer, *others):
-        window.AddRenderer(each)
+    for renderer in renderers:
+        window.AddRenderer(renderer)
     window.Render()
+    return window
 
+
+def save(renderer, size, filename, others=()):
+    write(rendered(size, renderer, *others), filename)
+
+
+def write(window, filename):
     image = vtk.vtkWindowToImageFilter()
     image.SetInput(window)
     writer = vtk.vtkPNGWriter()
@@ -326,9 +342,11 @@ def main(
     place_camera(renderer, float(azimuth), float(elevation), up)
     renderer.GetActiveCamera().Zoom(0.95)
     renderer.GetActiveCamera().SetWindowCenter(0.07, -0.04)  # leaves room for bar and caption
-    add_labels(renderer, scene, mesh.GetLength())
     renderer.ResetCameraClippingRange()
-    save(renderer, SIZE, picture)
+    window = rendered(SIZE, renderer)
+    add_labels(renderer, scene, mesh.GetLength())
+    window.Render()
+    write(window, picture)
 
 
 if __name__ == "__main__":
