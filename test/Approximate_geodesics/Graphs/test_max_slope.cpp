@@ -233,6 +233,22 @@ TEST(Max_slope, holds_for_zigzags_that_cost_less)
   EXPECT_LT(distances(1.5)[14], 0.1 * level);
 }
 
+// The cheapest zigzags are as steep as the limit, whose direction is none of those that are sampled
+// without it.
+TEST(Max_slope, is_attained_by_zigzags_where_steep_directions_are_cheap)
+{
+  const auto cheap_if_steep = [](const double s) { return 1 - 0.8 * std::abs(s); };
+  const double limit = 0.5, cost = cheap_if_steep(limit);
+  const double sine = limit / std::hypot(1, limit) / std::sqrt(0.5); // on the plane
+  const double expected = cost / std::sqrt(1 - sine * sine);
+  const Mesh mesh = slanted_plane(5, 5, 1);
+  const Dense_graph graph(Triangulation(mesh, with_cost(cheap_if_steep).max_slope(limit)),
+                          AG::Fixed_number_of_points(1));
+  const double level = mesh.point(Vertex(14)).x() - mesh.point(Vertex(10)).x();
+  const auto distances = Basic_mesh_search<Dense_graph>(mesh, graph).distances({Vertex(10)});
+  EXPECT_NEAR(expected * level, distances[14], 1e-9);
+}
+
 // ----- what else it does
 
 TEST(Max_slope, changes_nothing_where_no_face_is_steeper)
