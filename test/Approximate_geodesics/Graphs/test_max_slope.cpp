@@ -83,7 +83,7 @@ std::vector<double> distances_by_pieces(const Mesh& mesh,
   return textbook_distances<double>(places.size(), source, [&](const auto n, const auto& relax) {
     for(const Face f : faces_of_node[n])
       for(const Node other : nodes_of_face[f])
-        if(const Vector v = places[other] - places[n]; slope(v) <= limit * (1 + 1e-9))
+        if(const Vector v = places[other] - places[n]; other != n && slope(v) <= limit * (1 + 1e-9))
           relax(other, cost(f, v));
   });
 }
