@@ -34,7 +34,7 @@ bool compute_mesh_distances(const TriangleMesh& tmesh,
 } // namespace Approximate_geodesics::internal
 
 /*!
- * \ingroup PkgApproximateGeodesicsMatrices
+ * \ingroup PkgGeodesicQueriesMatrices
  *
  * computes approximate geodesic distances from many sources to many targets, and passes them to
  * `rows`: one row per source, with one column per target.

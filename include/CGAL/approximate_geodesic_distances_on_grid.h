@@ -79,7 +79,7 @@ grid_graph(const Grid_shape& shape, const FrictionRange& friction, const NamedPa
 } // namespace Approximate_geodesics::internal
 
 /*!
- * \ingroup PkgApproximateGeodesicsFunctions
+ * \ingroup PkgGeodesicGridsFunctions
  *
  * computes, for each cell of a grid, the approximately smallest cost of a path from the center of
  * the nearest source to its own.
@@ -154,7 +154,7 @@ void approximate_geodesic_distances_on_grid(
 }
 
 /*!
- * \ingroup PkgApproximateGeodesicsFunctions
+ * \ingroup PkgGeodesicGridsFunctions
  *
  * computes an approximately cheapest path between the centers of two cells of a grid, and returns
  * its cost.

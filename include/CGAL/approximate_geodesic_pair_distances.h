@@ -203,7 +203,7 @@ bool write_pair_distances(const Graph& graph,
 } // namespace Approximate_geodesics::internal
 
 /*!
- * \ingroup PkgApproximateGeodesicsFunctions
+ * \ingroup PkgGeodesicQueriesPairs
  *
  * computes approximate geodesic distances between pairs of points.
  *

@@ -42,11 +42,6 @@ comparisons in the queue.
 
 \cgalHasModelsBegin
 \cgalHasModels{CGAL::Approximate_geodesics::Basic_adaptive_bucket_queue}
-\cgalHasModels{CGAL::Approximate_geodesics::Basic_published_bucket_queue}
-\cgalHasModels{CGAL::Approximate_geodesics::Radix_heap_queue}
-\cgalHasModels{CGAL::Approximate_geodesics::D_ary_heap_queue}
-\cgalHasModels{CGAL::Approximate_geodesics::Fibonacci_heap_queue}
-\cgalHasModels{CGAL::Approximate_geodesics::Array_queue}
 \cgalHasModelsEnd
 
 \sa `CGAL::Approximate_geodesics::Propagation`

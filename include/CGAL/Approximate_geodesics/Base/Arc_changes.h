@@ -17,7 +17,7 @@
 namespace CGAL::Approximate_geodesics {
 
 /*!
- * \ingroup PkgApproximateGeodesicsBase
+ * \ingroup PkgGeodesicCostsChanges
  *
  * What has changed in a graph since it was built. `Propagation::repair()` reads it.
  *

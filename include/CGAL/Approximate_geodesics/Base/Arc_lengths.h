@@ -18,7 +18,7 @@
 namespace CGAL::Approximate_geodesics {
 
 /*!
- * \ingroup PkgApproximateGeodesicsBase
+ * \ingroup PkgApproximateGeodesicsOwnGraphs
  *
  * The shortest, mean and longest length of the arcs of a graph, in units of the graph. Priority
  * queues derive their parameters from them. All are `0` for a graph without arcs.
@@ -34,7 +34,7 @@ struct Arc_lengths
 };
 
 /*!
- * \ingroup PkgApproximateGeodesicsBase
+ * \ingroup PkgApproximateGeodesicsOwnGraphs
  * \relates Arc_lengths
  *
  * computes the minimum, mean and maximum of `lengths`. Run time is \cgalBigO{n}.

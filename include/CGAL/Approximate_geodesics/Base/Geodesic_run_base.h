@@ -17,7 +17,7 @@
 namespace CGAL::Approximate_geodesics {
 
 /*!
- * \ingroup PkgApproximateGeodesicsBase
+ * \ingroup PkgApproximateGeodesicsOwnGraphs
  *
  * The run of a graph that has no `Run` of its own. It stores no data, and reports arcs node by
  * node, as `for_each_arc()` and `for_each_crossing()` of the graph do.

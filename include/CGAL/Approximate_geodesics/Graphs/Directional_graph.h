@@ -19,7 +19,7 @@
 namespace CGAL::Approximate_geodesics {
 
 /*!
- * \ingroup PkgApproximateGeodesicsGraphs
+ * \ingroup PkgGeodesicCostsGraphs
  *
  * The graph for costs that depend on the direction, which `directional_cost()` gives to a
  * triangulation. Its nodes are those of a `Steiner_graph`: vertices and points on edges. The cost

@@ -25,7 +25,7 @@
 namespace CGAL::Approximate_geodesics {
 
 /*!
- * \ingroup PkgApproximateGeodesicsPlacements
+ * \ingroup PkgGeodesicCostsPlacements
  *
  * Points in geometric progressions from the ends of the edges, for costs that depend on the
  * direction, so that paths cost at most \f$1 + \varepsilon\f$ times as much as the cheapest ones on

@@ -38,7 +38,7 @@
 namespace CGAL::Approximate_geodesics {
 
 /*!
- * \ingroup PkgApproximateGeodesicsGraphs
+ * \ingroup PkgGeodesicGridsGrids
  *
  * The graph of a regular grid of cells, each of which has a friction, a cost per unit of length; or
  * a height; or both. It is a graph for rasters: no mesh is built, and no arcs are stored.

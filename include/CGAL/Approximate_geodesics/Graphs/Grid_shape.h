@@ -21,7 +21,7 @@
 namespace CGAL::Approximate_geodesics {
 
 /*!
- * \ingroup PkgApproximateGeodesicsGraphs
+ * \ingroup PkgGeodesicGridsGrids
  *
  * A cell of a grid: its column and its row, counted from `0`.
  */
@@ -40,7 +40,7 @@ struct Grid_cell
 };
 
 /*!
- * \ingroup PkgApproximateGeodesicsGraphs
+ * \ingroup PkgGeodesicGridsGrids
  *
  * A point of the plane of a grid. The cell `(0, 0)` has a corner at the origin, columns follow each
  * other along `x`, and rows along `y`.
@@ -54,7 +54,7 @@ struct Grid_point
 };
 
 /*!
- * \ingroup PkgApproximateGeodesicsGraphs
+ * \ingroup PkgGeodesicGridsGrids
  *
  * The ellipsoid of revolution that latitudes of a geographic grid are of: WGS 84 by default.
  */
@@ -67,7 +67,7 @@ struct Grid_ellipsoid
 };
 
 /*!
- * \ingroup PkgApproximateGeodesicsGraphs
+ * \ingroup PkgGeodesicGridsGrids
  *
  * The shape of a regular grid of rectangular cells. Values of cells are given row by row, the cells
  * of a row one after the other.

@@ -11,7 +11,7 @@
 namespace CGAL::Approximate_geodesics {
 
 /*!
- * \ingroup PkgApproximateGeodesicsGraphs
+ * \ingroup PkgGeodesicGridsGrids
  *
  * A vector in the space of a grid: a direction that a cost function is called with, or a wind. It
  * has those operations of a `%Vector_3` that cost functions need.

@@ -21,7 +21,7 @@
 namespace CGAL::Approximate_geodesics {
 
 /*!
- * \ingroup PkgApproximateGeodesicsGraphs
+ * \ingroup PkgGeodesicCostsGraphs
  *
  * The graph of the vertices of a mesh and of points on its edges, so-called Steiner points. Two
  * nodes at the border of the same face are joined by a straight arc across the face, and

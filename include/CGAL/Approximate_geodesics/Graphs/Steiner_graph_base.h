@@ -324,7 +324,7 @@ private:
 } // namespace internal
 
 /*!
- * \ingroup PkgApproximateGeodesicsGraphs
+ * \ingroup PkgGeodesicCostsGraphs
  *
  * The common base class of `Steiner_graph` and `Directional_graph`: the nodes of a mesh with
  * Steiner points, and their arcs. The nodes at the border of a face are a group, see

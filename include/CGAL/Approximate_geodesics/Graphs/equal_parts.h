@@ -53,7 +53,7 @@ protected:
 } // namespace internal
 
 /*!
- * \ingroup PkgApproximateGeodesicsPlacements
+ * \ingroup PkgGeodesicCostsPlacements
  *
  * The same number of points on every edge, which divide it into equal parts.
  *
@@ -117,7 +117,7 @@ private:
 };
 
 /*!
- * \ingroup PkgApproximateGeodesicsPlacements
+ * \ingroup PkgGeodesicCostsPlacements
  *
  * Points that divide every edge into equal parts, as few as possible so that no part is longer than
  * a given spacing. Small faces get few points, and large ones more, which suits meshes of

@@ -23,7 +23,7 @@
 namespace CGAL::Approximate_geodesics {
 
 /*!
- * \ingroup PkgApproximateGeodesicsMatrices
+ * \ingroup PkgGeodesicQueriesMatrices
  *
  * A row of a distance matrix: the distances from one source to all columns. It is a range of
  * numbers of type `double`, in the unit of the mesh, which are infinite for columns that were not
@@ -165,7 +165,7 @@ struct Matrix_facts
 } // namespace internal
 
 /*!
- * \ingroup PkgApproximateGeodesicsMatrices
+ * \ingroup PkgGeodesicQueriesMatrices
  *
  * The layout of a distance matrix, which is passed to a row sink before the first row: its size,
  * and the blocks of rows in which it is computed.
@@ -258,7 +258,7 @@ private:
 };
 
 /*!
- * \ingroup PkgApproximateGeodesicsMatrices
+ * \ingroup PkgGeodesicQueriesMatrices
  *
  * The progress of the computation of a distance matrix.
  */
@@ -278,7 +278,7 @@ struct Distance_matrix_progress
 };
 
 /*!
- * \ingroup PkgApproximateGeodesicsMatrices
+ * \ingroup PkgGeodesicQueriesMatrices
  *
  * A visitor that does nothing. Derived classes only define the functions that they need. The
  * functions are not virtual: those of the derived class hide them.

@@ -206,7 +206,7 @@ inline std::vector<Distance_row::Column> nearest_columns(const Distance_row& row
 } // namespace internal
 
 /*!
- * \ingroup PkgApproximateGeodesicsMatrices
+ * \ingroup PkgGeodesicQueriesMatrices
  *
  * A dense distance matrix in memory. It takes `sizeof(T)` bytes per distance.
  *
@@ -325,7 +325,7 @@ private:
 };
 
 /*!
- * \ingroup PkgApproximateGeodesicsMatrices
+ * \ingroup PkgGeodesicQueriesMatrices
  *
  * A sparse distance matrix in memory, in compressed sparse row format: the common base of
  * `Radius_rows` and `Nearest_rows`. An entry takes `4 + sizeof(T)` bytes.
@@ -422,7 +422,7 @@ private:
 };
 
 /*!
- * \ingroup PkgApproximateGeodesicsMatrices
+ * \ingroup PkgGeodesicQueriesMatrices
  *
  * The distances up to `maximum_distance`, in memory. Columns ascend in each row.
  *
@@ -452,7 +452,7 @@ public:
 };
 
 /*!
- * \ingroup PkgApproximateGeodesicsMatrices
+ * \ingroup PkgGeodesicQueriesMatrices
  *
  * The smallest distances of each row, in memory: the distances to the nearest targets, including
  * the source itself if it is a target. They ascend in each row; ties are broken by column. A row

@@ -41,7 +41,7 @@ const TriangleMesh& whole(const TriangleMesh& tmesh)
 } // namespace internal
 
 /*!
- * \ingroup PkgApproximateGeodesicsMesh
+ * \ingroup PkgApproximateGeodesicsSearch
  *
  * Converts between points on the surface of a mesh, which are vertices, points on edges or points
  * in faces, and points of its intrinsic triangulation, on which `Surface_search` operates.

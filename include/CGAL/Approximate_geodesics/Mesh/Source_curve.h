@@ -19,7 +19,7 @@
 namespace CGAL::Approximate_geodesics {
 
 /*!
- * \ingroup PkgApproximateGeodesicsPoints
+ * \ingroup PkgGeodesicConstructionsSources
  *
  * A curve on the surface of a mesh, all points of which are sources:
  * `approximate_geodesic_distances()` and `Surface_mesh_shortest_path` compute distances from the
@@ -42,7 +42,7 @@ struct Source_curve
 };
 
 /*!
- * \ingroup PkgApproximateGeodesicsPoints
+ * \ingroup PkgGeodesicConstructionsSources
  *
  * A set of faces, all points of which are sources: distances are `0` there, and outside those from
  * the border of the set.

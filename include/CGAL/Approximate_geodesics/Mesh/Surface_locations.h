@@ -175,7 +175,7 @@ Face_location<TriangleMesh> locate(const Ray_3<Kernel>& ray,
 } // namespace internal
 
 /*!
- * \ingroup PkgApproximateGeodesicsMesh
+ * \ingroup PkgApproximateGeodesicsClasses
  *
  * Conversions between points in space, points of the surface of a mesh, and locations in its faces:
  * the functions of CGAL's exact class that do not compute shortest paths.

@@ -41,7 +41,7 @@ constexpr bool is_cost_of_slope = std::is_invocable_v<const CostFunction&, doubl
 } // namespace internal
 
 /*!
- * \ingroup PkgApproximateGeodesicsCosts
+ * \ingroup PkgGeodesicCostsFunctions
  *
  * A cost function as a value of the named parameter `face_weight_map`, as `directional_cost()`
  * returns it.
@@ -79,7 +79,7 @@ private:
 };
 
 /*!
- * \ingroup PkgApproximateGeodesicsCosts
+ * \ingroup PkgGeodesicCostsFunctions
  *
  * The cost function of ways back: it calls another one with the opposite direction.
  *
@@ -113,7 +113,7 @@ private:
 };
 
 /*!
- * \ingroup PkgApproximateGeodesicsCosts
+ * \ingroup PkgGeodesicCostsFunctions
  *
  * returns a value of the named parameter `face_weight_map` for costs that depend on the direction:
  * `face_weight_map(directional_cost(f))`.
@@ -145,7 +145,7 @@ Directional_cost<CostFunction> directional_cost(CostFunction f)
 }
 
 /*!
- * \ingroup PkgApproximateGeodesicsCosts
+ * \ingroup PkgGeodesicCostsFunctions
  *
  * returns the cost function of ways back. With it, distances from a source are those to the source
  * with the original function, to the last bit. The named parameter `direction_to_source` has the
@@ -179,7 +179,7 @@ constexpr bool has_directional_cost =
 } // namespace internal
 
 /*!
- * \ingroup PkgApproximateGeodesicsCosts
+ * \ingroup PkgGeodesicCostsFunctions
  *
  * The walking time on slopes, in seconds per meter of surface length, by Tobler's hiking function
  * \cgalCite{t-tpgam-93}: the speed is \f$6\,e^{-3.5\,|s + 0.05|}\f$ kilometers per hour for a slope
@@ -221,7 +221,7 @@ private:
 };
 
 /*!
- * \ingroup PkgApproximateGeodesicsCosts
+ * \ingroup PkgGeodesicCostsFunctions
  *
  * The energy of walking on slopes, in joules per kilogram of body mass and meter of surface length,
  * as measured by Minetti, Moia, Roi, Susta and Ferretti \cgalCite{mmrsf-ecwre-02}:
@@ -263,7 +263,7 @@ private:
 };
 
 /*!
- * \ingroup PkgApproximateGeodesicsCosts
+ * \ingroup PkgGeodesicCostsFunctions
  *
  * The walking time on slopes, in seconds per meter of surface length, by Naismith's rule with
  * Langmuir's corrections \cgalCite{l-ml-84}, as the module `r.walk` of GRASS has it: 0.72 seconds
@@ -321,7 +321,7 @@ private:
 };
 
 /*!
- * \ingroup PkgApproximateGeodesicsCosts
+ * \ingroup PkgGeodesicCostsFunctions
  *
  * The travel time per unit of length in a current or a wind: Zermelo's navigation problem
  * \cgalCite{z-nbrwv-31}. A boat or an airplane moves with the speed \f$v\f$ relative to a medium
@@ -369,7 +369,7 @@ private:
 };
 
 /*!
- * \ingroup PkgApproximateGeodesicsCosts
+ * \ingroup PkgGeodesicCostsFunctions
  *
  * A Riemannian metric that is constant in each face, given by one metric tensor per face: in the
  * direction \f$d\f$, a path costs \f$\sqrt{d^T A\,d}\f$ per unit of length, where \f$A\f$ is a
@@ -408,7 +408,7 @@ private:
 };
 
 /*!
- * \ingroup PkgApproximateGeodesicsCosts
+ * \ingroup PkgGeodesicCostsFunctions
  *
  * A cost function that restricts the directions in each face to those close to a given direction.
  * All others have infinite cost, so paths have no error bound `epsilon`.

@@ -283,7 +283,7 @@ double sampling_tolerance([[maybe_unused]] const NamedParameters& np)
 } // namespace internal
 
 /*!
- * \ingroup PkgApproximateGeodesicsMesh
+ * \ingroup PkgGeodesicCostsGraphs
  *
  * reads the weights of the faces of a mesh, for replacing the weights of a graph.
  *

@@ -48,7 +48,7 @@ public:
 } // namespace internal
 
 /*!
- * \ingroup PkgApproximateGeodesicsPaths
+ * \ingroup PkgGeodesicQueriesPairs
  *
  * What makes exact searches for pairs fast: a graph of the same surface with a small error bound,
  * and its landmarks.

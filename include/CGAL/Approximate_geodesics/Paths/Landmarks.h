@@ -24,7 +24,7 @@
 namespace CGAL::Approximate_geodesics {
 
 /*!
- * \ingroup PkgApproximateGeodesicsPaths
+ * \ingroup PkgGeodesicQueriesPairs
  *
  * The distances of all nodes of a graph from a few nodes that are far from each other, the
  * landmarks. By the triangle inequality, they give lower bounds of the distances of any two points,

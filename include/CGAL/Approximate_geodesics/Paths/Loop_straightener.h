@@ -25,8 +25,10 @@
 
 namespace CGAL::Approximate_geodesics {
 
+/// \cond SKIP_IN_MANUAL
+
 /*!
- * \ingroup PkgApproximateGeodesicsPaths
+ * \ingroup PkgGeodesicConstructionsLoops
  *
  * Makes closed paths locally shortest. A path from a point back to it, its base, is straightened
  * with both ends fixed; then the base moves along the loop, and the old one is straightened.
@@ -232,6 +234,8 @@ private:
   const Intrinsic_triangulation& m_triangulation;
   const std::size_t m_largest_number_of_steps;
 };
+
+/// \endcond
 
 } // namespace CGAL::Approximate_geodesics
 

@@ -18,7 +18,7 @@
 namespace CGAL::Approximate_geodesics {
 
 /*!
- * \ingroup PkgApproximateGeodesicsPaths
+ * \ingroup PkgApproximateGeodesicsSearch
  *
  * A path on a triangulated surface: a polyline, each segment of which lies in a face or on an edge.
  */

@@ -20,8 +20,10 @@
 
 namespace CGAL::Approximate_geodesics {
 
+/// \cond SKIP_IN_MANUAL
+
 /*!
- * \ingroup PkgApproximateGeodesicsPaths
+ * \ingroup PkgApproximateGeodesicsSearch
  *
  * Makes paths locally shortest: straight across edges, with bends only at vertices. It lays out the
  * faces along a path in the plane, finds the shortest path there by the funnel algorithm
@@ -90,6 +92,8 @@ private:
 
   const Intrinsic_triangulation& m_triangulation;
 };
+
+/// \endcond
 
 } // namespace CGAL::Approximate_geodesics
 

@@ -24,7 +24,7 @@
 
 namespace CGAL::Approximate_geodesics {
 
-/// \ingroup PkgApproximateGeodesicsPaths
+/// \ingroup PkgGeodesicQueriesPairs
 /// The source and the target of a path.
 using Point_pair = std::pair<Intrinsic_point, Intrinsic_point>;
 

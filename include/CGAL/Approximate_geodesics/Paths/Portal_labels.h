@@ -31,7 +31,7 @@
 namespace CGAL::Approximate_geodesics {
 
 /*!
- * \ingroup PkgApproximateGeodesicsPaths
+ * \ingroup PkgGeodesicQueriesPairs
  *
  * Labels of all vertices of a graph, from which an interval that contains the distance of any two
  * of them is read in microseconds, without a search.

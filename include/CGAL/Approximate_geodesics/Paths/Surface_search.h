@@ -34,7 +34,7 @@
 namespace CGAL::Approximate_geodesics {
 
 /*!
- * \ingroup PkgApproximateGeodesicsPaths
+ * \ingroup PkgApproximateGeodesicsSearch
  *
  * A point where a search on a surface starts.
  */
@@ -48,7 +48,7 @@ struct Source_point
 };
 
 /*!
- * \ingroup PkgApproximateGeodesicsPaths
+ * \ingroup PkgApproximateGeodesicsSearch
  *
  * A workspace for searches from any points of a surface to any others. Sources and targets that are
  * not nodes of the graph are attached to it by straight lines.

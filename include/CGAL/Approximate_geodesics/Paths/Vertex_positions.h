@@ -21,7 +21,7 @@
 namespace CGAL::Approximate_geodesics {
 
 /*!
- * \ingroup PkgApproximateGeodesicsPaths
+ * \ingroup PkgApproximateGeodesicsSearch
  *
  * The positions in space of the vertices of a triangulation. Straight-line distances between them
  * guide a search to its target. They take 24 bytes per vertex.

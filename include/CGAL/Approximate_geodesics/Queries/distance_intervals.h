@@ -16,7 +16,7 @@
 namespace CGAL::Approximate_geodesics {
 
 /*!
- * \ingroup PkgApproximateGeodesicsQueries
+ * \ingroup PkgGeodesicQueriesIntervals
  *
  * computes, for each vertex, an interval that contains its geodesic distance to the nearest source.
  *

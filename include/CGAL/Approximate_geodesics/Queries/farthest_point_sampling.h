@@ -76,7 +76,7 @@ double sample_farthest(const Graph& graph,
 } // namespace internal
 
 /*!
- * \ingroup PkgApproximateGeodesicsQueries
+ * \ingroup PkgGeodesicConstructionsFields
  *
  * chooses vertices that are evenly distributed on the surface: each chosen vertex has the largest
  * distance from the sources and from all vertices chosen before.

@@ -66,7 +66,7 @@ typename Traits::Vector_3 gradient_of_face(const std::array<typename Traits::Poi
 } // namespace internal
 
 /*!
- * \ingroup PkgApproximateGeodesicsQueries
+ * \ingroup PkgGeodesicConstructionsFields
  *
  * computes the gradient of a piecewise linear function given by its values at the vertices.
  *

@@ -171,7 +171,7 @@ std::vector<double> numbers(const Isovalues& isovalues)
 } // namespace internal
 
 /*!
- * \ingroup PkgApproximateGeodesicsQueries
+ * \ingroup PkgGeodesicConstructionsFields
  *
  * computes the isolines of a piecewise linear function, given by its values at the vertices, at one
  * or several isovalues.

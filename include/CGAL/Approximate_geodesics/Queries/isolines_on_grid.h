@@ -24,7 +24,7 @@
 namespace CGAL::Approximate_geodesics {
 
 /*!
- * \ingroup PkgApproximateGeodesicsQueries
+ * \ingroup PkgGeodesicGridsFunctions
  *
  * computes the isolines of the values of the cells of a grid at one isovalue, by marching squares:
  * of costs, for lines of equal time, or of heights.

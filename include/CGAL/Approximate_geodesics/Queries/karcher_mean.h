@@ -21,7 +21,7 @@
 namespace CGAL::Approximate_geodesics {
 
 /*!
- * \ingroup PkgApproximateGeodesicsWalks
+ * \ingroup PkgGeodesicConstructionsWalks
  *
  * What `karcher_mean()` returns.
  */
@@ -264,7 +264,7 @@ std::vector<double> shares(const Weights& weights, const std::size_t number_of_p
 } // namespace internal
 
 /*!
- * \ingroup PkgApproximateGeodesicsWalks
+ * \ingroup PkgGeodesicConstructionsWalks
  *
  * finds a Karcher mean \cgalCite{k-rcmms-77} of points: where the weighted mean of the squared
  * distances from them is smallest, at least in the neighborhood.

@@ -211,7 +211,7 @@ private:
 } // namespace internal
 
 /*!
- * \ingroup PkgApproximateGeodesicsWalks
+ * \ingroup PkgGeodesicConstructionsWalks
  *
  * computes the logarithmic map of a point: for each vertex, the direction at the point in which a
  * shortest path to the vertex starts, and its length, which is the distance, as a tangent vector.

@@ -22,7 +22,7 @@
 namespace CGAL::Approximate_geodesics {
 
 /*!
- * \ingroup PkgApproximateGeodesicsQueries
+ * \ingroup PkgGeodesicConstructionsSources
  *
  * A polyline at constant distance from a curve, or from other sources. What is nearer to the
  * sources is on its left, seen from outside.
@@ -68,7 +68,7 @@ inline double smallest_step(const std::vector<double>& distances, const double m
 } // namespace internal
 
 /*!
- * \ingroup PkgApproximateGeodesicsQueries
+ * \ingroup PkgGeodesicConstructionsSources
  *
  * computes curves at given distances from sources, such as tool paths at constant distance from
  * each other.

@@ -161,7 +161,7 @@ std::pair<double, double> refine_path(const TriangleMesh& tmesh,
 } // namespace internal
 
 /*!
- * \ingroup PkgApproximateGeodesicsQueries
+ * \ingroup PkgGeodesicQueriesIntervals
  *
  * computes a short path on the mesh from `source` to `target` by selective refinement, and returns
  * its length.
@@ -242,7 +242,7 @@ double refined_path(const TriangleMesh& tmesh,
 }
 
 /*!
- * \ingroup PkgApproximateGeodesicsQueries
+ * \ingroup PkgGeodesicQueriesIntervals
  *
  * computes a path like `refined_path()`, and returns an interval that contains the distance from
  * `source` to `target`. Its upper end is the length of the path, up to rounding.

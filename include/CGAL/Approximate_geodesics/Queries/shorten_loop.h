@@ -24,7 +24,7 @@
 namespace CGAL::Approximate_geodesics {
 
 /*!
- * \ingroup PkgApproximateGeodesicsLoops
+ * \ingroup PkgGeodesicConstructionsLoops
  *
  * A closed curve on the surface: what `shorten_loop()` and `shortest_loop_through()` return.
  */
@@ -139,7 +139,7 @@ inline Path shortest_loop(const Saddle_vertex_graph& graph, const Intrinsic_poin
 } // namespace internal
 
 /*!
- * \ingroup PkgApproximateGeodesicsLoops
+ * \ingroup PkgGeodesicConstructionsLoops
  *
  * shortens a closed curve on the surface until it is locally shortest: a closed geodesic.
  *
@@ -180,7 +180,7 @@ inline Path shortest_loop(const Saddle_vertex_graph& graph, const Intrinsic_poin
  * ten: each fixes one point, and straightens the loop in time in
  * proportion to the number of faces that it crosses, in practice.
  *
- * The method is that of `Path_straightener`, with a base that moves.
+ * The method is that of straightened paths, with a base that moves.
  *
  * \sa `shortest_loop_through()`
  */
@@ -203,7 +203,7 @@ Geodesic_loop<TriangleMesh> shorten_loop(const TriangleMesh& tmesh,
 }
 
 /*!
- * \ingroup PkgApproximateGeodesicsLoops
+ * \ingroup PkgGeodesicConstructionsLoops
  *
  * finds a shortest loop through a point that does not contract: around a handle, a hole, or the
  * border.

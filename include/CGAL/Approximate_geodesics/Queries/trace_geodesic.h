@@ -26,7 +26,7 @@
 namespace CGAL::Approximate_geodesics {
 
 /*!
- * \ingroup PkgApproximateGeodesicsWalks
+ * \ingroup PkgGeodesicConstructionsWalks
  *
  * A tangent vector at a point of the surface, in the unit of the mesh. It needs no coordinates of
  * vertices; `Geodesic_tracer` converts it from and to vectors in space.
@@ -50,7 +50,7 @@ struct Tangent_vector
 };
 
 /*!
- * \ingroup PkgApproximateGeodesicsWalks
+ * \ingroup PkgGeodesicConstructionsWalks
  *
  * What `trace_geodesic()` returns.
  */
@@ -166,7 +166,7 @@ walk_on_mesh(const Translation& translation,
 } // namespace internal
 
 /*!
- * \ingroup PkgApproximateGeodesicsWalks
+ * \ingroup PkgGeodesicConstructionsWalks
  *
  * Walks straight ahead, and transports vectors, on one mesh. It reads the mesh once, in
  * \cgalBigO{n}; each query then takes time in proportion to the faces that it crosses.
@@ -383,7 +383,7 @@ private:
 };
 
 /*!
- * \ingroup PkgApproximateGeodesicsWalks
+ * \ingroup PkgGeodesicConstructionsWalks
  *
  * walks straight ahead on the surface, from a point in a direction: a straightest geodesic
  * \cgalCite{ps-sgps-98}, which is the exponential map.
@@ -455,7 +455,7 @@ Geodesic_walk<TriangleMesh> trace_geodesic(const TriangleMesh& tmesh,
 }
 
 /*!
- * \ingroup PkgApproximateGeodesicsWalks
+ * \ingroup PkgGeodesicConstructionsWalks
  *
  * returns a vector after parallel transport along a path: its length, and its angle to the path,
  * stay the same in each face. Where the path turns, the vector does not.

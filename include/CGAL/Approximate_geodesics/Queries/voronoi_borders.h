@@ -22,7 +22,7 @@
 namespace CGAL::Approximate_geodesics {
 
 /*!
- * \ingroup PkgApproximateGeodesicsQueries
+ * \ingroup PkgGeodesicConstructionsCells
  *
  * A border between the cells of two sources.
  */
@@ -48,7 +48,7 @@ struct Voronoi_border
 };
 
 /*!
- * \ingroup PkgApproximateGeodesicsQueries
+ * \ingroup PkgGeodesicConstructionsCells
  *
  * A point where borders end: a point of three or more cells, a point of the border of the mesh, or
  * an end of a cut locus.
@@ -66,7 +66,7 @@ struct Voronoi_corner
 };
 
 /*!
- * \ingroup PkgApproximateGeodesicsQueries
+ * \ingroup PkgGeodesicConstructionsCells
  *
  * What `voronoi_borders()` and `cut_locus()` return.
  */
@@ -186,7 +186,7 @@ Voronoi_cells<TriangleMesh> cells_of(const TriangleMesh& tmesh,
 } // namespace internal
 
 /*!
- * \ingroup PkgApproximateGeodesicsQueries
+ * \ingroup PkgGeodesicConstructionsCells
  *
  * computes the Voronoi diagram of points on the surface: the borders between the cells of the
  * points that are nearest to each source, their areas, and their neighbors.
@@ -253,7 +253,7 @@ voronoi_borders(const TriangleMesh& tmesh,
 }
 
 /*!
- * \ingroup PkgApproximateGeodesicsQueries
+ * \ingroup PkgGeodesicConstructionsCells
  *
  * computes the cut locus of a point: the points of the surface that several shortest paths from
  * there lead to.

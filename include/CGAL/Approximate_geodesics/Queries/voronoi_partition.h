@@ -43,7 +43,7 @@ inline std::size_t source_of_face(const std::array<Corner_source, 3>& corners)
 } // namespace internal
 
 /*!
- * \ingroup PkgApproximateGeodesicsQueries
+ * \ingroup PkgGeodesicConstructionsFields
  *
  * computes a Voronoi partition of the faces: finds the nearest source of every face.
  *

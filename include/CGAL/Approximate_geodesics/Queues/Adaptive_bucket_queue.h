@@ -154,7 +154,7 @@ private:
 } // namespace internal
 
 /*!
- * \ingroup PkgApproximateGeodesicsQueues
+ * \ingroup PkgApproximateGeodesicsOwnGraphs
  *
  * The statistics of a run of a bucket queue. They are updated per bucket, not per entry, so the
  * overhead is negligible.
@@ -206,7 +206,7 @@ struct Bucket_statistics
 };
 
 /*!
- * \ingroup PkgApproximateGeodesicsQueues
+ * \ingroup PkgApproximateGeodesicsOwnGraphs
  *
  * The default policy for the width of the buckets of an adaptive bucket queue.
  *
@@ -257,7 +257,7 @@ private:
 };
 
 /*!
- * \ingroup PkgApproximateGeodesicsQueues
+ * \ingroup PkgApproximateGeodesicsOwnGraphs
  *
  * A monotone priority queue that distributes its entries to buckets by their keys, and leaves each
  * bucket unsorted. The bucket of the smallest keys is drained in rounds: a round consists of the
@@ -585,7 +585,7 @@ private:
 };
 
 /*!
- * \ingroup PkgApproximateGeodesicsQueues
+ * \ingroup PkgApproximateGeodesicsOwnGraphs
  *
  * The default queue of this package: an adaptive bucket queue with balanced widths.
  */

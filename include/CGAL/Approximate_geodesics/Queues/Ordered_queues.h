@@ -167,8 +167,10 @@ inline std::size_t bit_width(const std::uint64_t i)
 
 } // namespace internal
 
+/// \cond SKIP_IN_MANUAL
+
 /*!
- * \ingroup PkgApproximateGeodesicsQueues
+ * \ingroup PkgApproximateGeodesicsOwnGraphs
  *
  * A priority queue that keeps its entries in an unordered array, and searches all of them for the
  * smallest key. This is the queue of Dijkstra's original algorithm \cgalCite{d-ntpcg-59}, provided
@@ -248,7 +250,7 @@ private:
 };
 
 /*!
- * \ingroup PkgApproximateGeodesicsQueues
+ * \ingroup PkgApproximateGeodesicsOwnGraphs
  *
  * A priority queue based on the implicit `D`-ary heap of Boost.Heap. Keys are decreased in place.
  *
@@ -266,7 +268,7 @@ using D_ary_heap_queue = internal::
     Queue_of_heap<boost::heap::d_ary_heap, boost::heap::arity<D>, boost::heap::mutable_<true>>;
 
 /*!
- * \ingroup PkgApproximateGeodesicsQueues
+ * \ingroup PkgApproximateGeodesicsOwnGraphs
  *
  * A priority queue based on an implicit binary heap.
  *
@@ -275,7 +277,7 @@ using D_ary_heap_queue = internal::
 using Binary_heap_queue = D_ary_heap_queue<2>;
 
 /*!
- * \ingroup PkgApproximateGeodesicsQueues
+ * \ingroup PkgApproximateGeodesicsOwnGraphs
  *
  * A priority queue based on the Fibonacci heap \cgalCite{ft-fhtui-87} of Boost.Heap. It has the
  * best asymptotic bounds of all practical heaps, but large constants. Keys are decreased in place.
@@ -290,7 +292,7 @@ using Binary_heap_queue = D_ary_heap_queue<2>;
 using Fibonacci_heap_queue = internal::Queue_of_heap<boost::heap::fibonacci_heap>;
 
 /*!
- * \ingroup PkgApproximateGeodesicsQueues
+ * \ingroup PkgApproximateGeodesicsOwnGraphs
  *
  * A monotone priority queue with 65 buckets. The bucket of an entry is the position of the first
  * bit in which its key differs from a lower bound of all keys \cgalCite{amot-faspp-90}. Nonnegative
@@ -397,6 +399,8 @@ private:
   std::size_t m_size = 0; // the number of entries
   Bits m_least = 0;       // a lower bound of the keys in the queue
 };
+
+/// \endcond
 
 } // namespace CGAL::Approximate_geodesics
 

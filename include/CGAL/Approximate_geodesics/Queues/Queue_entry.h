@@ -13,7 +13,7 @@
 namespace CGAL::Approximate_geodesics {
 
 /*!
- * \ingroup PkgApproximateGeodesicsQueues
+ * \ingroup PkgApproximateGeodesicsOwnGraphs
  *
  * An entry of a queue: a node and its key.
  */

@@ -21,7 +21,7 @@
 namespace CGAL::Approximate_geodesics {
 
 /*!
- * \ingroup PkgApproximateGeodesicsSurface
+ * \ingroup PkgGeodesicConstructionsSources
  *
  * A set of points of a triangulated surface that counts as one source: polylines, and whole faces.
  */

@@ -20,7 +20,7 @@
 namespace CGAL::Approximate_geodesics {
 
 /*!
- * \ingroup PkgApproximateGeodesicsSurface
+ * \ingroup PkgApproximateGeodesicsSearch
  *
  * A point of a triangulated surface: a vertex, a point inside an edge, or a point inside a face.
  *
@@ -182,7 +182,7 @@ private:
 } // namespace internal
 
 /*!
- * \ingroup PkgApproximateGeodesicsSurface
+ * \ingroup PkgApproximateGeodesicsOwnGraphs
  *
  * Points of a triangulated surface, sorted by the faces that contain them. Vertices may be among
  * the points, but are not listed by face.

@@ -26,7 +26,7 @@
 namespace CGAL::Approximate_geodesics {
 
 /*!
- * \ingroup PkgApproximateGeodesicsSurface
+ * \ingroup PkgGeodesicCostsChanges
  *
  * What a path costs per unit of length in each face of an `Intrinsic_triangulation`.
  * `read_face_weights()` makes it from a property map.
@@ -55,7 +55,7 @@ class Retriangulation;
 } // namespace internal
 
 /*!
- * \ingroup PkgApproximateGeodesicsSurface
+ * \ingroup PkgApproximateGeodesicsSearch
  *
  * A triangle mesh without coordinates: connectivity and edge lengths, checked, compact and in an
  * order that suits searches. Everything else in this package is built on it.

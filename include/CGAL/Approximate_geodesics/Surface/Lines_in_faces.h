@@ -120,7 +120,7 @@ private:
 } // namespace internal
 
 /*!
- * \ingroup PkgApproximateGeodesicsSurface
+ * \ingroup PkgApproximateGeodesicsOwnGraphs
  *
  * The straight lines from a point of the surface to others in the same face.
  *

@@ -20,7 +20,7 @@
 namespace CGAL::Approximate_geodesics {
 
 /*!
- * \ingroup PkgApproximateGeodesicsSurface
+ * \ingroup PkgGeodesicCostsChanges
  *
  * A new weight of a face of an `Intrinsic_triangulation`.
  */
@@ -35,7 +35,7 @@ struct Weight_change
 };
 
 /*!
- * \ingroup PkgApproximateGeodesicsSurface
+ * \ingroup PkgGeodesicCostsChanges
  *
  * Whether a barrier of an `Intrinsic_triangulation` is to be there or lifted, as a door that is
  * closed or open.

@@ -13,7 +13,7 @@
 namespace CGAL::Approximate_geodesics {
 
 /*!
- * \ingroup PkgApproximateGeodesicsGridFiles
+ * \ingroup PkgGeodesicLibrariesGridFiles
  *
  * A rectangular part of the cells of a grid.
  */
@@ -30,7 +30,7 @@ struct Grid_window
 };
 
 /*!
- * \ingroup PkgApproximateGeodesicsGridFiles
+ * \ingroup PkgGeodesicLibrariesGridFiles
  *
  * A node of the graph of a grid: its column and row, which can be one more than those of cells, and
  * its number there: `0` for the center of the cell.

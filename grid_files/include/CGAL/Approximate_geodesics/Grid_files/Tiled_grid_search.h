@@ -48,7 +48,7 @@ namespace CGAL::Approximate_geodesics {
  */
 
 /*!
- * \ingroup PkgApproximateGeodesicsGridFiles
+ * \ingroup PkgGeodesicLibrariesGridFiles
  *
  * A search on a grid that need not fit in memory. Distances have the same bits as those of
  * `Propagation` on one graph of the whole grid.

@@ -20,7 +20,7 @@
 namespace CGAL::Approximate_geodesics {
 
 /*!
- * \ingroup PkgApproximateGeodesicsMatrices
+ * \ingroup PkgGeodesicLibrariesMatrices
  *
  * A sparse distance matrix on disk, in compressed sparse row format: the distances up to
  * `maximum_distance`, or the smallest ones of each row. The entries of a row are those of
@@ -114,7 +114,7 @@ private:
 };
 
 /*!
- * \ingroup PkgApproximateGeodesicsMatrices
+ * \ingroup PkgGeodesicLibrariesMatrices
  *
  * writes a sparse matrix to a folder, in the format of `Csr_file`. The folder is created if it does
  * not exist; files of these names are replaced.

@@ -94,7 +94,7 @@ private:
 } // namespace internal
 
 /*!
- * \ingroup PkgApproximateGeodesicsMatrices
+ * \ingroup PkgGeodesicLibrariesMatrices
  *
  * The processes of an MPI communicator, on one or several machines, which jointly compute a file of
  * distances. Each process takes blocks of rows from a shared counter and writes them to the same

@@ -21,7 +21,7 @@
 namespace CGAL::Approximate_geodesics {
 
 /*!
- * \ingroup PkgApproximateGeodesicsMatrices
+ * \ingroup PkgGeodesicLibrariesMatrices
  *
  * A dense distance matrix in a NPY file. `numpy.load(file, mmap_mode="r")` maps it into memory
  * without reading it. Each thread buffers one block of rows: 16 MB, or a single row if that is

@@ -18,7 +18,7 @@
 namespace CGAL::Approximate_geodesics {
 
 /*!
- * \ingroup PkgApproximateGeodesicsMatrices
+ * \ingroup PkgGeodesicLibrariesMatrices
  *
  * The processes that jointly compute a file of distances, on one machine or on several that share a
  * file system. Each of them makes the same calls. Derived classes are `Single_process` and
@@ -69,7 +69,7 @@ public:
 };
 
 /*!
- * \ingroup PkgApproximateGeodesicsMatrices
+ * \ingroup PkgGeodesicLibrariesMatrices
  *
  * A team of one process.
  */

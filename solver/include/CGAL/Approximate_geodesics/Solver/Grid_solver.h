@@ -33,7 +33,7 @@
 namespace CGAL::Approximate_geodesics {
 
 /*!
- * \ingroup PkgApproximateGeodesicsArrays
+ * \ingroup PkgGeodesicLibrariesArrays
  *
  * Costs and paths on a regular grid of cells, which are plain arrays: `Grid_graph` for bindings to
  * other languages. Values of cells are given row by row.

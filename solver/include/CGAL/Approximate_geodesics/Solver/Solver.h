@@ -55,8 +55,8 @@
 #include <vector>
 
 /*!
- * \defgroup PkgApproximateGeodesicsArrays Plain Arrays
- * \ingroup PkgApproximateGeodesicsUsers
+ * \defgroup PkgGeodesicLibrariesArrays Plain Arrays
+ * \ingroup PkgGeodesicLibrariesRef
  *
  * The class `CGAL::Approximate_geodesics::Solver` takes vertices and faces as plain arrays, for
  * programs without mesh types and for bindings to other languages. Its headers are in the folder
@@ -89,7 +89,7 @@ void with_threads([[maybe_unused]] const std::size_t number, const F& f)
 } // namespace internal
 
 /*!
- * \ingroup PkgApproximateGeodesicsArrays
+ * \ingroup PkgGeodesicLibrariesArrays
  *
  * Distances and paths on a mesh given by plain arrays, for programs without mesh types and for
  * bindings to other languages. This type offers the class `Surface_mesh_shortest_path` and the

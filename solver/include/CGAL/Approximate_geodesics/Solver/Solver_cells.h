@@ -21,7 +21,7 @@
 namespace CGAL::Approximate_geodesics {
 
 /*!
- * \ingroup PkgApproximateGeodesicsArrays
+ * \ingroup PkgGeodesicLibrariesArrays
  *
  * The parameters of `Solver_cells`.
  */
@@ -39,7 +39,7 @@ struct Solver_cell_options
 };
 
 /*!
- * \ingroup PkgApproximateGeodesicsArrays
+ * \ingroup PkgGeodesicLibrariesArrays
  *
  * The exact cells of sources on the surface of a `Solver`: what `voronoi_borders()` or
  * `cut_locus()` finds, as plain arrays. They depend neither on the bound of the solver nor on its

@@ -25,7 +25,7 @@
 namespace CGAL::Approximate_geodesics {
 
 /*!
- * \ingroup PkgApproximateGeodesicsArrays
+ * \ingroup PkgGeodesicLibrariesArrays
  *
  * Distances from curves and regions on the surface of a `Solver`, and curves at constant distance
  * from them. They are exact, and depend neither on the bound of the solver nor on its costs and

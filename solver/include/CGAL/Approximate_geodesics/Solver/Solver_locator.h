@@ -73,7 +73,7 @@ private:
 } // namespace internal
 
 /*!
- * \ingroup PkgApproximateGeodesicsArrays
+ * \ingroup PkgGeodesicLibrariesArrays
  *
  * The nearest points of the surface of a `Solver` to points in space. Its header is not part of
  * `Solver.h`, because CGAL's AABB tree takes long to compile.

@@ -21,7 +21,7 @@
 namespace CGAL::Approximate_geodesics {
 
 /*!
- * \ingroup PkgApproximateGeodesicsArrays
+ * \ingroup PkgGeodesicLibrariesArrays
  *
  * A point of a `Solver`: a vertex, a point on an edge, or a point of a face.
  */
@@ -60,7 +60,7 @@ struct Solver_point
 };
 
 /*!
- * \ingroup PkgApproximateGeodesicsArrays
+ * \ingroup PkgGeodesicLibrariesArrays
  *
  * The callbacks of a `Solver`, which are called about 30 times per second, always in the calling
  * thread. Both may be empty.
@@ -77,7 +77,7 @@ struct Solver_watch
 };
 
 /*!
- * \ingroup PkgApproximateGeodesicsArrays
+ * \ingroup PkgGeodesicLibrariesArrays
  *
  * The exception that a `Solver` throws if a watch ends a call. The solver is unchanged.
  */
@@ -88,7 +88,7 @@ struct Solver_interrupted : std::runtime_error
 };
 
 /*!
- * \ingroup PkgApproximateGeodesicsArrays
+ * \ingroup PkgGeodesicLibrariesArrays
  *
  * A directional cost: one of the predefined cost functions with its parameters and arrays, or
  * samples of another one. Unlike arbitrary functions, it can be saved by a `Solver`.
@@ -158,7 +158,7 @@ struct Solver_cost
 };
 
 /*!
- * \ingroup PkgApproximateGeodesicsArrays
+ * \ingroup PkgGeodesicLibrariesArrays
  *
  * The parameters of a `Solver`. Arrays are only read during construction.
  */
@@ -205,7 +205,7 @@ struct Solver_options
 };
 
 /*!
- * \ingroup PkgApproximateGeodesicsArrays
+ * \ingroup PkgGeodesicLibrariesArrays
  *
  * The parameters of a `Grid_solver`. Arrays have one value per cell, row by row, and are only read
  * during construction.
@@ -240,7 +240,7 @@ struct Grid_solver_options
 };
 
 /*!
- * \ingroup PkgApproximateGeodesicsArrays
+ * \ingroup PkgGeodesicLibrariesArrays
  *
  * The range and the direction of a search.
  */
@@ -255,7 +255,7 @@ struct Solver_search_options
 };
 
 /*!
- * \ingroup PkgApproximateGeodesicsArrays
+ * \ingroup PkgGeodesicLibrariesArrays
  *
  * The columns, the range and the direction of a matrix computation.
  */
@@ -280,7 +280,7 @@ struct Solver_row_options
 };
 
 /*!
- * \ingroup PkgApproximateGeodesicsArrays
+ * \ingroup PkgGeodesicLibrariesArrays
  *
  * The range of searches for pairs of points, and the kind of their paths.
  */

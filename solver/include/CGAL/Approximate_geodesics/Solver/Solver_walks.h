@@ -26,7 +26,7 @@
 namespace CGAL::Approximate_geodesics {
 
 /*!
- * \ingroup PkgApproximateGeodesicsArrays
+ * \ingroup PkgGeodesicLibrariesArrays
  *
  * Straight walks and loops on the surface of a `Solver`. They depend neither on the bound of the
  * solver nor on its costs and barriers. The header is not part of `Solver.h`, as programs for

@@ -34,7 +34,7 @@
 namespace CGAL::Approximate_geodesics {
 
 /*!
- * \ingroup PkgApproximateGeodesicsArrays
+ * \ingroup PkgGeodesicLibrariesArrays
  *
  * A triangle of a polygon soup, in 12 bytes. A reader of \cgal that resizes it to a polygon of
  * another number of vertices gets an exception.
@@ -165,7 +165,7 @@ bool read_soup_quickly(std::istream& in,
 } // namespace internal
 
 /*!
- * \ingroup PkgApproximateGeodesicsArrays
+ * \ingroup PkgGeodesicLibrariesArrays
  *
  * reads a polygon soup in the format of the file name extension: OFF, OBJ, PLY, STL or GOCAD (ts).
  * It wraps `CGAL::IO::read_polygon_soup()`, and adds the reason of a failure. OFF files without
@@ -217,7 +217,7 @@ void read_soup(const std::string& file, std::vector<Point>& points, std::vector<
 }
 
 /*!
- * \ingroup PkgApproximateGeodesicsArrays
+ * \ingroup PkgGeodesicLibrariesArrays
  *
  * reads a property of the faces of a PLY file, which may have any name, `red` among them, and any
  * type of number.

@@ -1,5 +1,5 @@
 /*!
-\ingroup PkgApproximateGeodesicsConcepts
+\ingroup PkgGeodesicCostsConcepts
 \cgalConcept
 
 The concept `SteinerPointPlacement` describes where `CGAL::Approximate_geodesics::Steiner_graph`

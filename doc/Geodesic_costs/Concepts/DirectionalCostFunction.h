@@ -1,5 +1,5 @@
 /*!
-\ingroup PkgApproximateGeodesicsConcepts
+\ingroup PkgGeodesicCostsConcepts
 \cgalConcept
 
 The concept `DirectionalCostFunction` describes a function object for costs of paths in a face that

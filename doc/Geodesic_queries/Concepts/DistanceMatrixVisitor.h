@@ -1,5 +1,5 @@
 /*!
-\ingroup PkgApproximateGeodesicsConcepts
+\ingroup PkgGeodesicQueriesConcepts
 \cgalConcept
 
 The concept `DistanceMatrixVisitor` describes an object that watches the computation of a distance

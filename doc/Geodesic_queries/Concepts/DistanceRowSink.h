@@ -1,5 +1,5 @@
 /*!
-\ingroup PkgApproximateGeodesicsConcepts
+\ingroup PkgGeodesicQueriesConcepts
 \cgalConcept
 
 The concept `DistanceRowSink` describes where the rows of a distance matrix go. It is the second

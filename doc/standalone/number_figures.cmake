@@ -1,0 +1,17 @@
+# Numbers the figures of each page. References and captions say "Figure fig__NAME" before. To be called with
+# -D html=FOLDER.
+file(GLOB pages ${html}/*.html)
+foreach(page IN LISTS pages)
+  file(READ ${page} content)
+  string(REGEX MATCHALL "<b>Figure fig__[a-z_0-9]+" names "${content}")
+  list(TRANSFORM names REPLACE "<b>Figure fig__" "")
+  if(NOT names)
+    continue()
+  endif()
+  set(number 0)
+  foreach(name IN LISTS names)
+    math(EXPR number "${number} + 1")
+    string(REGEX REPLACE "Figure fig__${name}([^a-z_0-9])" "Figure ${number}\\1" content "${content}")
+  endforeach()
+  file(WRITE ${page} "${content}")
+endforeach()
