@@ -1,8 +1,8 @@
 // Cheapest paths through hills: what a kilometer costs depends on the ground, nobody crosses cliffs
 // and the lake, and the fence has to be passed at its gate. draw_terrain.py draws the result.
 
-#include <CGAL/Approximate_geodesics/Graphs/Steiner_graph.h>
 #include <CGAL/Approximate_geodesics/Surface_mesh_shortest_path.h>
+#include <CGAL/Geodesic_costs.h>
 #include <CGAL/IO/Color.h>
 #include <CGAL/Simple_cartesian.h>
 #include <CGAL/Surface_mesh.h>

@@ -1,5 +1,6 @@
 // Distances that do not cross sharp edges, which CGAL detects, and what they are without barriers.
 
+#include <CGAL/Geodesic_costs.h>
 #include <CGAL/Polygon_mesh_processing/detect_features.h>
 #include <CGAL/Simple_cartesian.h>
 #include <CGAL/Surface_mesh.h>

@@ -11,28 +11,16 @@
 // Includes the whole package: functions, classes and queues, and with them the headers of the types
 // that they mention.
 
-#include <CGAL/Approximate_geodesics/Matrices/Rows_in_memory.h>
 #include <CGAL/Approximate_geodesics/Mesh/Triangle_soup_mesh.h>
-#include <CGAL/Approximate_geodesics/Paths/Portal_labels.h>
-#include <CGAL/Approximate_geodesics/Queries/distance_intervals.h>
-#include <CGAL/Approximate_geodesics/Queries/farthest_point_sampling.h>
-#include <CGAL/Approximate_geodesics/Queries/gradient.h>
-#include <CGAL/Approximate_geodesics/Queries/isolines.h>
 #include <CGAL/Approximate_geodesics/Queries/isolines_on_grid.h>
-#include <CGAL/Approximate_geodesics/Queries/karcher_mean.h>
-#include <CGAL/Approximate_geodesics/Queries/logarithmic_map.h>
-#include <CGAL/Approximate_geodesics/Queries/offset_curves.h>
 #include <CGAL/Approximate_geodesics/Queries/refined_path.h>
-#include <CGAL/Approximate_geodesics/Queries/shorten_loop.h>
-#include <CGAL/Approximate_geodesics/Queries/trace_geodesic.h>
-#include <CGAL/Approximate_geodesics/Queries/voronoi_borders.h>
-#include <CGAL/Approximate_geodesics/Queries/voronoi_partition.h>
 #include <CGAL/Approximate_geodesics/Queues/Ordered_queues.h>
 #include <CGAL/Approximate_geodesics/Surface_mesh_shortest_path.h>
-#include <CGAL/approximate_geodesic_distance_matrix.h>
+#include <CGAL/Geodesic_constructions.h>
+#include <CGAL/Geodesic_costs.h>
+#include <CGAL/Geodesic_queries.h>
 #include <CGAL/approximate_geodesic_distances.h>
 #include <CGAL/approximate_geodesic_distances_on_grid.h>
-#include <CGAL/approximate_geodesic_pair_distances.h>
 #include <CGAL/approximate_geodesic_path.h>
 
 #endif // CGAL_APPROXIMATE_GEODESICS_H

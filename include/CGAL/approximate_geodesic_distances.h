@@ -28,7 +28,7 @@ void write_distances(const TriangleMesh& tmesh,
     search.write_results(vertex_distance_map, np);
   };
   if constexpr(may_read_part<TriangleMesh, NamedParameters>() &&
-               !are_curves<TriangleMesh, Sources> &&
+               !are_other_sources<TriangleMesh, Sources> &&
                is_given<NamedParameters, internal_np::maximum_distance_t> &&
                !is_given<NamedParameters, internal_np::targets_t>)
     if(const auto part = Part_to_read(tmesh, np).around(sources))
@@ -196,7 +196,8 @@ void write_distances(const TriangleMesh& tmesh,
  *                     to separate their left side from their right side: a meridian of a torus, a
  *                     curve that crosses itself, or a point does not. The other kind of source is
  *                     refused. A region has distances of `0` inside. Vertices that are not reached
- *                     get infinity on both sides.}
+ *                     get infinity on both sides. The header `CGAL/Geodesic_constructions.h` has to
+ *                     be included, as for curves.}
  *   \cgalParamNEnd
  *   \cgalParamNBegin{maximum_distance}
  *     \cgalParamDescription{the distance beyond which vertices are not reached}
@@ -305,7 +306,7 @@ void approximate_geodesic_distances(const TriangleMesh& tmesh,
   using vertex_descriptor = typename boost::graph_traits<TriangleMesh>::vertex_descriptor;
   constexpr bool is_map = AG::internal::takes_distances<VertexDistanceMap, vertex_descriptor>;
   constexpr bool are_sources = AG::internal::is_source<TriangleMesh, Sources> ||
-                               AG::internal::are_curves<TriangleMesh, Sources>;
+                               AG::internal::are_other_sources<TriangleMesh, Sources>;
   static_assert(
       is_map,
       "approximate_geodesic_distances(tmesh, vertex_distance_map, sources): distances are written "

@@ -8,180 +8,19 @@
 
 #include <CGAL/license/Approximate_geodesics.h>
 
-#include <CGAL/Approximate_geodesics/Matrices/Distance_matrix_types.h>
 #include <CGAL/Approximate_geodesics/Mesh/Mesh_translation.h>
 #include <CGAL/Approximate_geodesics/Mesh/Surface_point.h>
-#include <CGAL/Approximate_geodesics/Paths/Landmarks.h>
 #include <CGAL/Approximate_geodesics/Paths/Point_pairs.h>
-#include <CGAL/Approximate_geodesics/Paths/Surface_search.h>
-#include <CGAL/Approximate_geodesics/Paths/internal/Workspaces.h>
 #include <CGAL/Approximate_geodesics/Queries/internal/compiled_matrices.h>
+#include <CGAL/Approximate_geodesics/Queries/internal/find_pairs.h>
 #include <CGAL/Approximate_geodesics/Surface/Intrinsic_point.h>
-#include <CGAL/Approximate_geodesics/Surface/Intrinsic_triangulation.h>
 
 #include <algorithm>
-#include <cstddef>
-#include <numeric>
-#include <optional>
 #include <utility>
 #include <vector>
 
 namespace CGAL {
 namespace Approximate_geodesics::internal {
-
-// Workspaces that are kept cost a short list nothing: to make one takes time in proportion to the
-// size of the graph.
-template <typename Graph>
-using Pair_workspaces = Workspaces<Surface_search<Graph>>;
-
-/*
- * What a thread searches with. A group of pairs is a row of a distance matrix, with columns of its
- * own. Results are stored as they are found, so that no rows are kept.
- */
-template <typename Graph, typename Find, typename Result>
-struct Group_search
-{
-  struct Input
-  {
-    const Graph& graph;
-    Pair_workspaces<Graph>& workspaces;
-    const Pairs_by_start& pairs;
-    double maximum_distance;
-    const Find& find;
-    std::vector<Result>& results; // threads write to different elements
-  };
-
-  struct Rows
-  {
-    struct Block
-    {
-    };
-    void collect(Block& /* block */, std::size_t /* row */, bool /* is_found */) {}
-    void add(std::size_t /* number */, Block& /* block */) {}
-  };
-
-  explicit Group_search(const Input& of_all) : input(of_all), search(of_all.workspaces.borrow()) {}
-
-  bool find(const std::size_t group)
-  {
-    input.pairs.find(*search, group, input.maximum_distance, input.find, input.results);
-    return true;
-  }
-
-  const Input& input;
-  typename Pair_workspaces<Graph>::Borrowed search;
-};
-
-// Returns `find(search, end)` for all pairs, in their order; nothing if the visitor stopped the
-// computation. Threads, visitor and limit are those of the named parameters.
-template <typename Graph, typename NamedParameters, typename Find>
-auto find_pairs(const Graph& graph,
-                Pair_workspaces<Graph>& workspaces,
-                const std::vector<Point_pair>& pairs,
-                const NamedParameters& np,
-                const Find& find)
-{
-  using Result = decltype(find(std::declval<const Surface_search<Graph>&>(), pairs[0].first));
-  using Search = Group_search<Graph, Find, Result>;
-  const Pairs_by_start groups(graph, pairs);
-  std::optional<std::vector<Result>> results(std::in_place, pairs.size());
-  std::vector<std::size_t> order(groups.number_of_groups());
-  std::iota(order.begin(), order.end(), std::size_t(0));
-  typename Search::Rows rows;
-  if(!compute_rows<Search>(
-         {graph, workspaces, groups, checked_maximum_distance(np), find, *results},
-         Distance_matrix_plan(std::move(order), 0), rows, np))
-    results.reset();
-  return results;
-}
-
-// Whether `T` is a pair of points on the surface of a mesh.
-template <typename TriangleMesh, typename T>
-constexpr bool is_pair_of_points = false;
-template <typename TriangleMesh, typename T, typename U>
-constexpr bool is_pair_of_points<TriangleMesh, std::pair<T, U>> =
-    is_surface_point<TriangleMesh, T>&& is_surface_point<TriangleMesh, U>;
-
-// Converts pairs of points of a mesh.
-template <typename Translation, typename Pairs>
-std::vector<Point_pair> point_pairs(const Translation& translation, const Pairs& pairs)
-{
-  std::vector<Point_pair> result;
-  for(const auto& pair : pairs)
-    result.push_back(name_in_message([&] { return name_in_list("pair", result.size()); },
-                                     [&]() -> Point_pair {
-                                       return {intrinsic_point(translation, pair.first, "source"),
-                                               intrinsic_point(translation, pair.second, "target")};
-                                     }));
-  return result;
-}
-
-/*
- * Answers lists of pairs of points of a mesh. Results have the order of the pairs; there are none
- * if the visitor stopped the computation.
- */
-template <typename Graph, typename Translation>
-class Mesh_pairs
-{
-public:
-  // Both are referred to, not copied.
-  Mesh_pairs(const Graph& graph, const Translation& translation)
-    : m_graph(graph), m_translation(translation), m_workspaces(graph)
-  {
-  }
-
-  // Must be called when all weights of the graph have been exchanged.
-  void clear() { m_workspaces.clear(); }
-
-  // Landmarks are referred to, not copied.
-  template <typename Landmarks>
-  void use_landmarks(const Landmarks& landmarks)
-  {
-    m_workspaces.set_up([&landmarks](auto& search) { search.use_landmarks(landmarks); });
-  }
-
-  template <typename Pairs, typename NamedParameters>
-  std::vector<double> distances(const Pairs& pairs, const NamedParameters& np) const
-  {
-    return find(pairs, np,
-                [](const auto& search, const Intrinsic_point& p) { return search.distance(p); });
-  }
-
-  template <typename Pairs, typename NamedParameters>
-  auto distance_intervals(const Pairs& pairs, const NamedParameters& np) const
-  {
-    return find(pairs, np, [&](const auto& search, const Intrinsic_point& p) {
-      return distance_interval(search, p, maximum_distance(np));
-    });
-  }
-
-  template <typename Pairs, typename NamedParameters>
-  std::vector<Path> paths(const Pairs& pairs, const NamedParameters& np) const
-  {
-    return find<internal_np::straighten_t>(
-        pairs, np, [&](const auto& search, const Intrinsic_point& end) {
-          Path path = search.find_path(end);
-          straighten_if_wanted(m_graph.triangulation(), np, path);
-          return from_source_to_target(m_graph, std::move(path));
-        });
-  }
-
-private:
-  template <typename... Read, typename Pairs, typename NamedParameters, typename Find>
-  auto find(const Pairs& pairs, const NamedParameters& np, const Find& find) const
-  {
-    static_assert(!ignores_any<NamedParameters, internal_np::maximum_distance_t,
-                               internal_np::visitor_t, Read...>,
-                  "lists of pairs read maximum_distance, concurrency_tag and visitor; paths also "
-                  "straighten");
-    auto found = find_pairs(m_graph, m_workspaces, point_pairs(m_translation, pairs), np, find);
-    return found ? *std::move(found) : typename decltype(found)::value_type();
-  }
-
-  const Graph& m_graph;
-  const Translation& m_translation;
-  mutable Pair_workspaces<Graph> m_workspaces;
-};
 
 // Writes the distances of pairs, unless the visitor stopped the computation.
 template <typename Graph, typename OutputIterator, typename NamedParameters>
@@ -193,7 +32,7 @@ bool write_pair_distances(const Graph& graph,
   const auto find = [](const Surface_search<Graph>& search, const Intrinsic_point& p) {
     return search.distance(p);
   };
-  Pair_workspaces<Graph> workspaces(graph);
+  Workspaces<Surface_search<Graph>> workspaces(graph);
   const auto found = find_pairs(graph, workspaces, pairs, np, find);
   if(found)
     std::copy(found->begin(), found->end(), distances);

@@ -43,7 +43,8 @@ double write_path(const TriangleMesh& tmesh,
     }
     return distance;
   };
-  if constexpr(may_read_part<TriangleMesh, NamedParameters>() && !are_curves<TriangleMesh, Source>)
+  if constexpr(may_read_part<TriangleMesh, NamedParameters>() &&
+               !are_other_sources<TriangleMesh, Source>)
   {
     const auto search_part = [&](const auto& part, const double limit) {
       std::optional<double> distance;
@@ -141,8 +142,8 @@ double approximate_geodesic_path(const TriangleMesh& tmesh,
   namespace AG = Approximate_geodesics;
   constexpr bool are_ends =
       (AG::internal::is_source<TriangleMesh, Source> ||
-       AG::internal::are_curves<TriangleMesh, Source>)&&AG::internal::is_surface_point<TriangleMesh,
-                                                                                       Target>;
+       AG::internal::are_other_sources<
+           TriangleMesh, Source>)&&AG::internal::is_surface_point<TriangleMesh, Target>;
   static_assert(are_ends,
                 "source, target: a vertex descriptor, Face_location, or Surface_point; or a range "
                 "of sources");

@@ -15,13 +15,10 @@
 #include "peers/Curvature_points.h"
 #include "peers/searches_of_arrays.h"
 
-#include <CGAL/Approximate_geodesics/Graphs/Directional_graph.h>
-#include <CGAL/Approximate_geodesics/Graphs/Directional_points.h>
-#include <CGAL/Approximate_geodesics/Graphs/equal_parts.h>
 #include <CGAL/Approximate_geodesics/Mesh/Triangulation_builder.h>
-#include <CGAL/Approximate_geodesics/Mesh/cost_functions.h>
 #include <CGAL/Approximate_geodesics/Search/Propagation.h>
 #include <CGAL/Approximate_geodesics/Surface/Intrinsic_triangulation.h>
+#include <CGAL/Geodesic_costs.h>
 #include <CGAL/approximate_geodesic_distances.h>
 #include <CGAL/property_map.h>
 #include <boost/property_map/property_map.hpp>

@@ -15,6 +15,8 @@
 #include <CGAL/Approximate_geodesics/Mesh/Mesh_translation.h>
 #include <CGAL/Approximate_geodesics/Mesh/Triangulation_builder.h>
 #include <CGAL/Approximate_geodesics/Paths/Exact_landmarks.h>
+#include <CGAL/Approximate_geodesics/Paths/Guided_search.h>
+#include <CGAL/Approximate_geodesics/Paths/Point_pairs.h>
 #include <CGAL/Approximate_geodesics/Paths/Surface_search.h>
 #include <CGAL/Approximate_geodesics/Paths/Vertex_positions.h>
 #include <CGAL/Approximate_geodesics/Surface/Intrinsic_point.h>
@@ -22,6 +24,7 @@
 
 #include <algorithm>
 #include <cstddef>
+#include <initializer_list>
 #include <limits>
 #include <optional>
 #include <string>
@@ -63,7 +66,7 @@ public:
     m_positions = {m_graph.triangulation(), translation.position_of_vertex(points)};
     m_seconds_of_preparation = seconds_of([this] { m_landmarks.emplace(m_graph); });
     m_prepared.use_landmarks(*m_landmarks);
-    for(Search* search : {&m_ending, &m_guided, &m_prepared})
+    for(Search* search : std::initializer_list<Search*>{&m_ending, &m_guided, &m_prepared})
       search->collect_statistics(true);
   }
 
@@ -192,7 +195,8 @@ private:
   AG::Vertex_positions m_positions;
   std::optional<AG::Exact_landmarks<Graph>> m_landmarks;
   double m_seconds_of_preparation = 0;
-  Search m_ending, m_guided, m_prepared;
+  Search m_ending, m_guided;
+  AG::Guided_search<Graph> m_prepared;
   std::vector<AG::Point_pair> m_pairs;
 };
 

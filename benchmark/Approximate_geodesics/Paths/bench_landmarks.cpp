@@ -21,9 +21,9 @@
 #include <CGAL/Approximate_geodesics/Mesh/Mesh_translation.h>
 #include <CGAL/Approximate_geodesics/Mesh/Triangulation_builder.h>
 #include <CGAL/Approximate_geodesics/Paths/Exact_landmarks.h>
+#include <CGAL/Approximate_geodesics/Paths/Guided_search.h>
 #include <CGAL/Approximate_geodesics/Paths/Landmarks.h>
 #include <CGAL/Approximate_geodesics/Paths/Point_pairs.h>
-#include <CGAL/Approximate_geodesics/Paths/Surface_search.h>
 #include <CGAL/Approximate_geodesics/Paths/Vertex_positions.h>
 #include <CGAL/Approximate_geodesics/Surface/Intrinsic_triangulation.h>
 
@@ -122,7 +122,7 @@ public:
 private:
   Pair_times find_all(const AG::Landmarks<Graph>* const landmarks) const
   {
-    AG::Surface_search<Graph> search(m_graph);
+    AG::Guided_search<Graph> search(m_graph);
     if(landmarks != nullptr)
       search.use_landmarks(*landmarks);
     search.collect_statistics(true);
@@ -151,7 +151,7 @@ measure_exact_pairs(const Mesh& mesh, const std::size_t number_of_pairs, const R
   const AG::Vertex_positions positions(graph.triangulation(),
                                        translation.position_of_vertex(points));
   const AG::Exact_landmarks<AG::Saddle_vertex_graph> landmarks(graph);
-  AG::Surface_search<AG::Saddle_vertex_graph> search(graph), prepared(graph);
+  AG::Guided_search<AG::Saddle_vertex_graph> search(graph), prepared(graph);
   prepared.use_landmarks(landmarks);
   Pair_times times, times_if_prepared;
   for(const auto& [source, target] : random_pairs(graph.triangulation(), number_of_pairs))

@@ -14,6 +14,7 @@
 #include <CGAL/Approximate_geodesics/Graphs/Discrete_geodesic_graph.h>
 #include <CGAL/Approximate_geodesics/Graphs/Edge_graph.h>
 #include <CGAL/Approximate_geodesics/Mesh/Triangulation_builder.h>
+#include <CGAL/Approximate_geodesics/Paths/Guided_search.h>
 #include <CGAL/Approximate_geodesics/Paths/Landmarks.h>
 #include <CGAL/Approximate_geodesics/Paths/Portal_labels.h>
 #include <CGAL/Approximate_geodesics/Paths/Surface_search.h>
@@ -127,7 +128,8 @@ public:
   }
 
 private:
-  double seconds_of_pairs(AG::Surface_search<Graph>& search) const
+  template <typename SurfaceSearch>
+  double seconds_of_pairs(SurfaceSearch& search) const
   {
     return processor_seconds_of([&] {
              for(const Pair& pair : m_pairs)
@@ -162,7 +164,8 @@ private:
   }
 
   const Graph& m_graph;
-  AG::Surface_search<Graph> m_ending, m_led;
+  AG::Surface_search<Graph> m_ending;
+  AG::Guided_search<Graph> m_led;
   std::optional<AG::Landmarks<Graph>> m_landmarks;
   std::vector<Pair> m_queries, m_pairs;
   double m_seconds_of_landmarks = 0, m_ending_seconds = 0, m_led_seconds = 0;

@@ -8,10 +8,10 @@
 
 #include <CGAL/AABB_face_graph_triangle_primitive.h>
 #include <CGAL/AABB_tree.h>
-#include <CGAL/Approximate_geodesics/Mesh/Source_curve.h>
 #include <CGAL/Approximate_geodesics/Mesh/Surface_locations.h>
 #include <CGAL/Approximate_geodesics/Mesh/Surface_point.h>
 #include <CGAL/Approximate_geodesics/Mesh/internal/aabb_traits.h>
+#include <CGAL/Approximate_geodesics/Queries/Source_curve.h>
 #include <CGAL/Polygon_mesh_processing/bbox.h>
 
 #include <algorithm>

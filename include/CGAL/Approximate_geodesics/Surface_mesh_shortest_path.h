@@ -8,25 +8,19 @@
 
 #include <CGAL/license/Approximate_geodesics.h>
 
+#include <CGAL/Approximate_geodesics/Base/Geodesic_run_base.h>
 #include <CGAL/Approximate_geodesics/Graphs/Saddle_vertex_graph.h>
 #include <CGAL/Approximate_geodesics/Mesh/Mesh_translation.h>
-#include <CGAL/Approximate_geodesics/Mesh/Source_curve.h>
 #include <CGAL/Approximate_geodesics/Mesh/Surface_locations.h>
 #include <CGAL/Approximate_geodesics/Mesh/Surface_point.h>
 #include <CGAL/Approximate_geodesics/Mesh/Triangulation_builder.h>
-#include <CGAL/Approximate_geodesics/Mesh/internal/read_changes.h>
-#include <CGAL/Approximate_geodesics/Mesh/read_face_weights.h>
-#include <CGAL/Approximate_geodesics/Paths/Exact_landmarks.h>
-#include <CGAL/Approximate_geodesics/Paths/Landmarks.h>
 #include <CGAL/Approximate_geodesics/Paths/Path.h>
-#include <CGAL/Approximate_geodesics/Paths/Point_pairs.h>
 #include <CGAL/Approximate_geodesics/Paths/Surface_search.h>
 #include <CGAL/Approximate_geodesics/Queries/internal/Mesh_search.h>
 #include <CGAL/Approximate_geodesics/Queues/Adaptive_bucket_queue.h>
 #include <CGAL/Approximate_geodesics/Search/Propagation.h>
 #include <CGAL/Approximate_geodesics/Surface/Intrinsic_triangulation.h>
 #include <CGAL/Surface_mesh_shortest_path/Surface_mesh_shortest_path_traits.h> // for users of the class
-#include <CGAL/approximate_geodesic_pair_distances.h>
 
 #include <boost/iterator/transform_iterator.hpp>
 
@@ -34,12 +28,18 @@
 #include <cstddef>
 #include <list>
 #include <memory>
-#include <optional>
 #include <type_traits>
 #include <utility>
 #include <vector>
 
 namespace CGAL::Approximate_geodesics {
+
+namespace internal {
+
+// Reads changes of costs in terms of a mesh. It is defined in the package of costs.
+template <typename Translation>
+class Change_reader;
+} // namespace internal
 
 /*!
  * \ingroup PkgApproximateGeodesicsClasses
@@ -84,8 +84,8 @@ class Surface_mesh_shortest_path : public Surface_locations<TriangleMesh>
   struct Listed_source
   {
     typename Locations::Face_location location;
-    Source_point source; // a point of the curve if there is one
-    std::optional<Intrinsic_curve> curve = std::nullopt;
+    Source_point source;                         // one of its points if it is of another kind
+    std::shared_ptr<const void> other = nullptr; // what a source of another kind was read to
   };
 
   struct Location_of_source
@@ -246,7 +246,8 @@ public:
 
   /*!
    * adds a curve as one source, and returns an iterator to it, which refers to its first point.
-   * Distances are those from the nearest point of the curve, and paths end there.
+   * Distances are those from the nearest point of the curve, and paths end there. The header
+   * `CGAL/Geodesic_constructions.h` has to be included.
    *
    * \throws std::invalid_argument if the curve has no points, or one of them is not a point of the
    *         surface, if two of them cannot be joined, or if the initial distance is invalid. The
@@ -255,7 +256,7 @@ public:
   Source_point_iterator add_source_curve(const Source_curve<Triangle_mesh>& curve,
                                          const FT initial_distance = 0)
   {
-    return add_curve(curve, initial_distance);
+    return add_other_source(curve, initial_distance);
   }
 
   /// adds all points of a set of faces as one source, and returns an iterator to it, which refers
@@ -263,7 +264,7 @@ public:
   Source_point_iterator add_source_region(const Source_region<Triangle_mesh>& region,
                                           const FT initial_distance = 0)
   {
-    return add_curve(region, initial_distance);
+    return add_other_source(region, initial_distance);
   }
 
   /// removes a source. \pre `it` is dereferenceable.
@@ -298,13 +299,13 @@ public:
   /// @{
 
   /// searches the graph if the sources or weights have changed since the last search. If few of
-  /// them have, the results of that are repaired, as `Propagation::repair()` says, and otherwise
-  /// found anew.
+  /// them have, and `CGAL/Geodesic_costs.h` is included, the results of that are repaired, as
+  /// `Propagation::repair()` says, and otherwise found anew: they are the same.
   void build_sequence_tree()
   {
     if(changed_since_last_build())
       search_from_sources(parameters::default_values(),
-                          [this](auto sources) { m_search.search().repair(std::move(sources)); });
+                          [this](auto sources) { update(std::move(sources)); });
   }
 
   /*!
@@ -335,7 +336,8 @@ public:
 
   /*!
    * replaces the weights of the faces, without rebuilding the graph. No other thread may use the
-   * graph during this call, and `restart()` must be called for each `Surface_search` on it.
+   * graph during this call, and `restart()` must be called for each `Surface_search` on it. The
+   * header `CGAL/Geodesic_costs.h` has to be included, as for the next two functions.
    *
    * \param face_weight_map a property map as for the constructor of `Intrinsic_triangulation`
    *
@@ -347,11 +349,9 @@ public:
   template <typename FaceWeightMap>
   void set_face_weights(const FaceWeightMap& face_weight_map)
   {
-    m_graph.set_weights(read_face_weights(this->mesh(), m_graph.triangulation(), face_weight_map,
-                                          parameters::vertex_index_map(m_translation.index_map())));
-    m_has_changed = true;
+    change_costs(
+        [&](const auto& reader) { m_graph.set_weights(reader.face_weights(face_weight_map)); });
     m_pair_search.reset();
-    m_pairs.clear();
     m_search.search().restart();
   }
 
@@ -372,8 +372,7 @@ public:
   template <typename WeightChanges>
   void set_weights(const WeightChanges& changes)
   {
-    m_graph.set_weights(internal::weight_changes(m_translation, changes));
-    m_has_changed = true;
+    change_costs([&](const auto& reader) { m_graph.set_weights(reader.weights(changes)); });
   }
 
   /*!
@@ -391,8 +390,7 @@ public:
   template <typename BarrierChanges>
   void set_barriers(const BarrierChanges& changes)
   {
-    m_graph.set_barriers(internal::barrier_changes(m_translation, changes));
-    m_has_changed = true;
+    change_costs([&](const auto& reader) { m_graph.set_barriers(reader.barriers(changes)); });
   }
 
   /// @}
@@ -554,8 +552,8 @@ public:
    * These functions find paths between two points of the surface, independent of the sources. The
    * search stops as soon as the distance is final. It is an A* search with straight-line distances,
    * unless faces have weights, lengths do not come from the points of the mesh, or there is a
-   * visitor; or with the bounds of landmarks, see `prepare_pairs()`. It has a separate workspace of
-   * 24 additional bytes per vertex.
+   * visitor. It has a separate workspace of 24 additional bytes per vertex. For many pairs,
+   * `Pair_queries` is faster.
    *
    * They return the length of the path; if there is no path, it is negative, and nothing is
    * written. If costs depend on the direction, the path always leads from `source` to `target`. The
@@ -565,30 +563,6 @@ public:
    * \tparam Target the same
    */
   /// @{
-
-  /*!
-   * prepares for many pairs: makes landmarks, see `Landmarks`, which guide searches to single
-   * targets from now on. After weights or barriers have changed, they are not used any more, until
-   * this is called again. With weights, pairs then take a small part of the time, and so do exact
-   * pairs, for which it makes `Exact_landmarks`. In a list, each pair is then a search of its own:
-   * for very many targets of each source, do not prepare. Exact pairs share a search if there are
-   * more than eight with the same source, as their distances are the same.
-   *
-   * \pre `Graph` has a member function `asymmetry()`, as `Steiner_graph` does, or is
-   * `Saddle_vertex_graph`.
-   *
-   * \throws std::invalid_argument if `number_of_landmarks` is `0`.
-   *
-   * Run time and memory are those of the constructor of `Landmarks`, or of `Exact_landmarks`.
-   */
-  void prepare_pairs(const std::size_t number_of_landmarks = Landmarks<Graph>::DEFAULT_NUMBER)
-  {
-    auto landmarks =
-        std::make_unique<const internal::Landmarks_of<Graph>>(m_graph, number_of_landmarks);
-    m_pairs.use_landmarks(*landmarks);
-    m_pair_search.reset();
-    m_landmarks = std::move(landmarks);
-  }
 
   /// returns the distance from `source` to `target`, or the length of the straightened path.
   template <typename Source,
@@ -624,58 +598,6 @@ public:
 
   /// @}
 
-  /*!
-   * \name Lists of Pairs
-   *
-   * One search finds all pairs with the same source, as in `approximate_geodesic_pair_distances()`,
-   * unless `prepare_pairs()` was called.
-   * Results have the order of the pairs; there are none if the visitor stopped the computation. The
-   * named parameters are `maximum_distance`, `concurrency_tag`, and `visitor`, a
-   * `DistanceMatrixVisitor`. Each thread needs a workspace of 40 bytes per node, which is kept for
-   * further calls. Several threads may call these functions at the same time.
-   *
-   * \tparam PairRange a model of `ConstRange` of `std::pair`s of points of type
-   *         `vertex_descriptor`, `Face_location` or `Surface_point`
-   */
-  /// @{
-
-  /// returns the distance from the source to the target of each pair, infinity if there is no path.
-  template <typename PairRange, typename NamedParameters = parameters::Default_named_parameters>
-  std::vector<double> distances(const PairRange& pairs,
-                                const NamedParameters& np = parameters::default_values()) const
-  {
-    return m_pairs.distances(pairs, np);
-  }
-
-  /// returns an interval that contains the distance on the surface, for each pair. Its margins are
-  /// those of `distance_intervals()`, and a relative 2.4e-7 if the error bound is not `0`, as arcs
-  /// may be stored in single precision. Without an error bound, it begins with `0`.
-  template <typename PairRange, typename NamedParameters = parameters::Default_named_parameters>
-  std::vector<std::pair<double, double>>
-  distance_intervals(const PairRange& pairs,
-                     const NamedParameters& np = parameters::default_values()) const
-  {
-    return m_pairs.distance_intervals(pairs, np);
-  }
-
-  /// returns the points of a shortest path from the source to the target of each pair, none if
-  /// there is no path. Another named parameter is `straighten`.
-  template <typename PairRange, typename NamedParameters = parameters::Default_named_parameters>
-  std::vector<std::vector<Point_3>>
-  paths(const PairRange& pairs, const NamedParameters& np = parameters::default_values()) const
-  {
-    std::vector<std::vector<Point_3>> result;
-    for(const Path& path : m_pairs.paths(pairs, np))
-    {
-      std::vector<Point_3>& points = result.emplace_back();
-      for(const Intrinsic_point& p : path.points)
-        points.push_back(point_of(p));
-    }
-    return result;
-  }
-
-  /// @}
-
   /// \name Access
   /// @{
 
@@ -698,6 +620,13 @@ public:
   /// returns the node of `v` in the graph.
   /// \throws std::invalid_argument if `v` is not a vertex of the mesh.
   typename Search::Node node(const vertex_descriptor v) const { return m_translation.node(v); }
+
+  /// \cond SKIP_IN_MANUAL
+
+  // The search in terms of the mesh, which other classes use.
+  const auto& mesh_search() const { return m_search; }
+
+  /// \endcond
 
   /// @}
 
@@ -729,19 +658,35 @@ private:
     internal::check_initial_distance(initial_distance, m_sources.size());
     m_has_changed = true;
     return Source_point_iterator(
-        m_sources.insert(m_sources.end(), Listed_source{location, {p, initial_distance}, {}}));
+        m_sources.insert(m_sources.end(), Listed_source{location, {p, initial_distance}}));
   }
 
-  template <typename Curve>
-  Source_point_iterator add_curve(const Curve& curve, const FT initial_distance)
+  // Adds a source that is not a point.
+  template <typename Source>
+  Source_point_iterator add_other_source(const Source& source, const FT initial_distance)
   {
-    Intrinsic_curve read = internal::Curve_reader(m_graph, m_translation).read(curve);
-    read.distance = initial_distance;
-    const Intrinsic_point first = internal::first_point(m_graph.triangulation(), read);
+    using Kind = internal::Other_source<Triangle_mesh, Source>;
+    auto read = std::make_shared<typename Kind::Read>(Kind::read(m_graph, m_translation, source));
+    read->distance = initial_distance;
+    const Intrinsic_point first = Kind::first_point(m_graph.triangulation(), *read);
     const auto result = add_source(first, initial_distance,
                                    this->face_location(m_translation.surface_point(first)));
-    m_sources.back().curve = std::move(read);
+    m_sources.back().other = std::move(read);
+    m_attach = &attached<Kind>;
     return result;
+  }
+
+  using Attached_sources = std::unique_ptr<typename Mesh_search::Surface_search::Sources>;
+
+  // Makes all sources some of one kind.
+  template <typename Kind>
+  static Attached_sources attached(const Graph& graph, const std::list<Listed_source>& sources)
+  {
+    using Read = typename Kind::Read;
+    std::vector<Read> all;
+    for(const auto& [location, source, other] : sources)
+      all.push_back(other ? *static_cast<const Read*>(other.get()) : Kind::of_point(source));
+    return Kind::template attach<typename Mesh_search::Surface_search>(graph, std::move(all));
   }
 
   Shortest_path_result shortest_distance(const Intrinsic_point& p)
@@ -784,13 +729,8 @@ private:
                                          internal_np::maximum_distance_t, internal_np::visitor_t>,
                   "single pairs read straighten, maximum_distance and visitor");
     if(!m_pair_search)
-    {
-      auto search = std::make_unique<Pair_search>(Pair_search{
+      m_pair_search = std::make_unique<Pair_search>(Pair_search{
           Mesh_search(m_graph, m_translation, this->point_map()), m_search.positions()});
-      if(m_landmarks)
-        search->search.search().use_landmarks(*m_landmarks);
-      m_pair_search = std::move(search);
-    }
     const auto run = [&](const auto& from, const auto& to) {
       m_pair_search->search.run_to(from, to, m_pair_search->positions, np);
       return m_translation.intrinsic_point(to);
@@ -812,7 +752,7 @@ private:
     return path.points.empty() ? -1 : path.length;
   }
 
-  // Calls `search(sources)`, or searches from curves if there are any.
+  // Calls `search(sources)`, or searches from sources of another kind if there are any.
   template <typename NamedParameters, typename F>
   void search_from_sources(const NamedParameters& np, const F& search)
   {
@@ -824,16 +764,34 @@ private:
       sources.push_back(it.base()->source);
       m_source_points.push_back(it);
     }
-    if(std::none_of(m_sources.begin(), m_sources.end(), [](const auto& s) { return s.curve; }))
+    if(std::none_of(m_sources.begin(), m_sources.end(), [](const auto& s) { return s.other; }))
       search(std::move(sources));
     else
-    {
-      std::vector<Intrinsic_curve> curves;
-      for(const auto& [location, source, curve] : m_sources) // a point is a curve, too
-        curves.push_back(curve ? *curve : Intrinsic_curve{{{source.point}}, {}, source.distance});
-      m_search.run(std::move(curves), np);
-    }
+      m_search.run(m_attach(m_graph, m_sources), np);
     m_has_changed = false;
+  }
+
+  // Finds the same distances as a new search, whether or not it repairs the results of the last.
+  void update(std::vector<Source_point> sources)
+  {
+    Geodesic_visitor_base visitor; // as in the compiled searches
+    if constexpr(internal::can_continue<Search>)
+      m_search.search().repair(std::move(sources));
+    else
+      m_search.search().run(std::move(sources), {}, visitor);
+  }
+
+  // Calls `change(reader)`, where the reader translates changes in terms of the mesh.
+  template <typename F>
+  void change_costs(const F& change)
+  {
+    using Reader = internal::Change_reader<Translation>;
+    static_assert(
+        internal::is_defined<Reader>,
+        "set_face_weights(), set_weights(), set_barriers(): include <CGAL/Geodesic_costs.h>");
+    if constexpr(internal::is_defined<Reader>)
+      change(Reader(m_translation, m_graph.triangulation()));
+    m_has_changed = true;
   }
 
   Point_3 point_of(const Intrinsic_point& p) const
@@ -844,10 +802,9 @@ private:
   Graph m_graph;
   Translation m_translation;
   Mesh_search m_search;
-  std::unique_ptr<const internal::Landmarks_of<Graph>> m_landmarks; // if pairs are prepared
   std::unique_ptr<Pair_search> m_pair_search;
-  internal::Mesh_pairs<Graph, Translation> m_pairs{m_graph, m_translation};
   std::list<Listed_source> m_sources;
+  Attached_sources (*m_attach)(const Graph&, const std::list<Listed_source>&) = nullptr;
   std::vector<Source_point_iterator> m_source_points; // of the last search
   bool m_has_changed = true;
 };

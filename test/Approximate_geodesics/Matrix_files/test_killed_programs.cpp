@@ -14,7 +14,7 @@
 
 #ifdef APPROXIMATE_GEODESICS_TEST_MATRIX_PROGRAM
 
-#include "../../../matrix_files/src/files.h"
+#include "../../../libraries/matrix_files/src/files.h"
 #include "files/Child_process.h"
 
 #include <algorithm>

@@ -8,11 +8,9 @@
 #include "meshes/test_meshes.h"
 #include "meshes/test_soup.h"
 
-#include <CGAL/Approximate_geodesics/Graphs/Directional_graph.h>
-#include <CGAL/Approximate_geodesics/Graphs/equal_parts.h>
 #include <CGAL/Approximate_geodesics/Matrices/internal/distance_matrix.h>
 #include <CGAL/Approximate_geodesics/Mesh/Triangulation_builder.h>
-#include <CGAL/Approximate_geodesics/Mesh/cost_functions.h>
+#include <CGAL/Geodesic_costs.h>
 
 #include <gtest/gtest.h>
 

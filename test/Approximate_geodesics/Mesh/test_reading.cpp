@@ -6,6 +6,8 @@
 #include "meshes/hostile_meshes.h"
 #include "oracles/test_oracles.h"
 
+#include <CGAL/Geodesic_costs.h>
+
 #include <boost/property_map/function_property_map.hpp>
 
 #include <gtest/gtest.h>

@@ -3,7 +3,7 @@
 //
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-#include <CGAL/Approximate_geodesics/Paths/Surface_search.h>
+#include <CGAL/Approximate_geodesics/Queries/search_from_curves.h>
 
 #include "checks/expect_message.h"
 #include "checks/graphs_of_all_kinds.h"
@@ -16,6 +16,7 @@
 #include "oracles/test_oracles.h"
 
 #include <CGAL/Approximate_geodesics/Graphs/Directional_graph.h>
+#include <CGAL/Approximate_geodesics/Paths/Surface_search.h>
 
 #include <gtest/gtest.h>
 
@@ -40,7 +41,7 @@ template <typename Graph>
 Surface_search<Graph> search_from(const Graph& graph, const Polyline_on_surface& polyline)
 {
   Surface_search<Graph> result(graph);
-  result.run_from_curves({{{polyline}}});
+  AG::run_from_curves(result, {{{polyline}}});
   return result;
 }
 
@@ -392,7 +393,7 @@ TEST(Region, is_at_distance_zero_and_the_rest_as_far_as_from_its_border)
   for(const std::size_t i : {1u, 2u, 3u, 4u})
     border.push_back(vertex_with_index(t, 3 + (6 - i) * 12));
   AG::Surface_search<Saddle_vertex_graph> search(graph);
-  search.run_from_curves({square});
+  AG::run_from_curves(search, {square});
   for(const Vertex v : mesh.vertices())
   {
     const Point p = mesh.point(v);
@@ -416,7 +417,7 @@ TEST(Curve, sources_are_numbered_and_have_initial_distances)
       result.push_back(vertex_with_index(t, x + y * 20));
     return result;
   };
-  search.run_from_curves({{{column(2)}, {}, 4}, {{column(16)}}});
+  AG::run_from_curves(search, {{{column(2)}, {}, 4}, {{column(16)}}});
   for(std::size_t x = 0; x < 20; ++x)
   {
     const double first = std::abs(double(x) - 2) + 4, second = std::abs(double(x) - 16);
@@ -427,7 +428,7 @@ TEST(Curve, sources_are_numbered_and_have_initial_distances)
   }
   search.run({{vertex_with_index(t, 0)}}); // the curves are forgotten
   EXPECT_NEAR(search.distance(vertex_with_index(t, 19)), 19, ROUNDING);
-  EXPECT_TRUE(search.curves().empty());
+  EXPECT_TRUE(AG::curves_of(search).empty());
 }
 
 // ----- bad input
@@ -440,7 +441,7 @@ TEST(Curve, sources_that_are_none_are_refused)
   AG::Surface_search<Saddle_vertex_graph> search(graph);
   search.run({{vertex_with_index(t, 0)}});
   const auto refuse = [&](const Intrinsic_curve& curve, const char* const text) {
-    expect_message<std::invalid_argument>([&] { search.run_from_curves({curve}); }, text);
+    expect_message<std::invalid_argument>([&] { AG::run_from_curves(search, {curve}); }, text);
   };
   refuse({{{}}}, "a polyline without points");
   refuse({{{vertex_with_index(t, 0), vertex_with_index(t, 19)}}}, "not in the same face");
@@ -458,7 +459,8 @@ TEST(Curve, sources_are_refused_where_costs_depend_on_the_direction)
       Fixed_number_of_points(1));
   AG::Surface_search<AG::Directional_graph<Fixed_number_of_points>> search(graph);
   expect_message<std::invalid_argument>(
-      [&] { search.run_from_curves({{{{Intrinsic_point::at_vertex(0)}}}}); }, "Directional_graph");
+      [&] { AG::run_from_curves(search, {{{{Intrinsic_point::at_vertex(0)}}}}); },
+      "Directional_graph");
 }
 
 } // namespace

@@ -14,6 +14,8 @@
 #include "meshes/sample_meshes.h"
 #include "oracles/exact_distances.h"
 
+#include <CGAL/Approximate_geodesics/Paths/Guided_search.h>
+#include <CGAL/Approximate_geodesics/Queries/Pair_queries.h>
 #include <CGAL/Approximate_geodesics/Surface_mesh_shortest_path.h>
 
 #include <gtest/gtest.h>
@@ -36,6 +38,7 @@ namespace {
 namespace AG = CGAL::Approximate_geodesics;
 using namespace geodesics_test;
 using Exact_landmarks = AG::Exact_landmarks<Saddle_vertex_graph>;
+using Guided_search = AG::Guided_search<Saddle_vertex_graph>;
 
 struct Pair_subject
 {
@@ -94,7 +97,8 @@ struct Pair_subject
   const Mesh mesh;
   const Saddle_vertex_graph graph;
   const Exact_landmarks landmarks;
-  Exact_search whole, limited;
+  Exact_search whole;
+  Guided_search limited;
 };
 
 TEST(Far_pairs, have_the_same_bits_on_generated_meshes)
@@ -147,14 +151,15 @@ TEST(Far_pairs, are_those_of_the_exact_class)
 {
   Random random(test_seed());
   const Mesh mesh = to_mesh(terrain(16, 14, random));
-  AG::Surface_mesh_shortest_path<Mesh, Saddle_vertex_graph> paths(mesh);
-  paths.prepare_pairs();
+  const AG::Surface_mesh_shortest_path<Mesh, Saddle_vertex_graph> paths(mesh);
+  AG::Pair_queries pairs(paths);
+  pairs.prepare();
   for(int i = 0; i < 3; ++i)
   {
     const Vertex source = random_vertex(mesh, random);
     const std::vector<double> expected = exact_distances(mesh, source);
     for(const Vertex target : mesh.vertices())
-      EXPECT_NEAR(paths.shortest_distance(source, target), expected[target.idx()],
+      EXPECT_NEAR(pairs.shortest_distance(source, target), expected[target.idx()],
                   1e-9 * expected[target.idx()]);
   }
 }
@@ -169,7 +174,7 @@ TEST(Far_pairs, reach_few_nodes)
         subject.mesh, subject.graph.triangulation(),
         {v, Edge_location(h, 0.7), Face_location(subject.mesh.face(h), {0.3, 0.4, 0.3})});
   };
-  const auto number_settled = [](Exact_search& search) {
+  const auto number_settled = [](const Exact_search& search) {
     return search.search().statistics().settled_nodes;
   };
   subject.whole.collect_statistics(true);
@@ -239,28 +244,29 @@ TEST(Far_pairs, in_lists_and_of_the_class)
 {
   Random random(test_seed());
   const Mesh mesh = to_mesh(terrain(20, 20, random));
-  AG::Surface_mesh_shortest_path<Mesh, Saddle_vertex_graph> paths(mesh);
+  const AG::Surface_mesh_shortest_path<Mesh, Saddle_vertex_graph> paths(mesh);
+  AG::Pair_queries queries(paths);
   const auto points = random_surface_points(mesh, 12, random);
   std::vector<std::pair<Surface_point, Surface_point>> pairs;
   for(std::size_t i = 0; i < points.size(); ++i)
     for(const Surface_point& target : points)
       if(i == 0 || random.below(3) == 0) // the first source has more targets than others
         pairs.emplace_back(points[i], target);
-  const std::vector<double> expected = paths.distances(pairs);
-  paths.prepare_pairs(4);
-  EXPECT_EQ(paths.distances(pairs), expected);
-  const auto found = paths.paths(pairs);
+  const std::vector<double> expected = queries.distances(pairs);
+  queries.prepare(4);
+  EXPECT_EQ(queries.distances(pairs), expected);
+  const auto found = queries.paths(pairs);
   ASSERT_EQ(found.size(), pairs.size());
   for(std::size_t i = 0; i < pairs.size(); ++i)
   {
     const auto& [source, target] = pairs[i];
-    EXPECT_EQ(paths.shortest_distance(source, target), expected[i]);
+    EXPECT_EQ(queries.shortest_distance(source, target), expected[i]);
     double length = 0;
     for(std::size_t j = 1; j < found[i].size(); ++j)
       length += std::sqrt(CGAL::squared_distance(found[i][j - 1], found[i][j]));
     EXPECT_NEAR(length, expected[i], 1e-11 * expected[i] + 1e-11);
     std::vector<Point> straightened;
-    const double length_of_path = paths.shortest_path_points(
+    const double length_of_path = queries.shortest_path_points(
         source, target, std::back_inserter(straightened), CGAL::parameters::straighten(true));
     EXPECT_NEAR(length_of_path, expected[i], 1e-11 * expected[i] + 1e-11);
   }
@@ -271,7 +277,7 @@ TEST(Far_pairs, need_landmarks_of_the_graph)
   const Mesh mesh = quiet_mesh();
   const Saddle_vertex_graph graph{Triangulation(mesh)}, other{Triangulation(mesh)};
   const Exact_landmarks landmarks(graph, 2);
-  Exact_search search(other);
+  Guided_search search(other);
   EXPECT_FALSE(search.uses_landmarks());
   expect_message<std::invalid_argument>([&] { search.use_landmarks(landmarks); },
                                         "the landmarks are those of another graph");
@@ -315,7 +321,7 @@ TEST(Far_pairs, with_other_landmarks_begin_anew)
 // The corridor of the last run moves along with it. Two workspaces cannot share one.
 TEST(Far_pairs, move_with_their_workspace)
 {
-  static_assert(!std::is_copy_constructible_v<Exact_search>);
+  static_assert(!std::is_copy_constructible_v<Guided_search>);
   Random random(test_seed());
   Pair_subject subject(to_mesh(terrain(12, 10, random)), 4);
   const auto points = subject.points(4, random);
@@ -323,7 +329,7 @@ TEST(Far_pairs, move_with_their_workspace)
   {
     subject.limited.run_to(target, {{points.front()}});
     const double expected = subject.limited.distance(target);
-    Exact_search other = std::move(subject.limited);
+    Guided_search other = std::move(subject.limited);
     EXPECT_EQ(other.distance(target), expected);
     subject.limited = std::move(other);
     EXPECT_EQ(subject.limited.distance(target), expected);

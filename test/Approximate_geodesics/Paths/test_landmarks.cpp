@@ -15,7 +15,10 @@
 #include "meshes/test_weights.h"
 #include "oracles/One_way_graph.h"
 
+#include <CGAL/Approximate_geodesics/Paths/Guided_search.h>
+#include <CGAL/Approximate_geodesics/Paths/Point_pairs.h>
 #include <CGAL/Approximate_geodesics/Paths/Surface_search.h>
+#include <CGAL/Approximate_geodesics/Queries/Pair_queries.h>
 #include <CGAL/Approximate_geodesics/Queues/Ordered_queues.h>
 #include <CGAL/Approximate_geodesics/Surface_mesh_shortest_path.h>
 
@@ -77,7 +80,8 @@ void expect_same_distances_with_landmarks(const GeodesicGraph& graph,
                                           const std::vector<Intrinsic_point>& points)
 {
   constexpr double rounding = 1e-13; // arcs that are left out can be as good as others
-  AG::Surface_search<GeodesicGraph> search(graph), led(graph);
+  AG::Surface_search<GeodesicGraph> search(graph);
+  AG::Guided_search<GeodesicGraph> led(graph);
   led.use_landmarks(landmarks);
   ASSERT_TRUE(led.uses_landmarks());
   for(const Intrinsic_point& source : points)
@@ -256,14 +260,18 @@ TEST_F(Floor_plan, has_the_distances_of_a_new_search_for_each_pair)
     const auto list = pairs(graph, random);
     std::vector<double> expected;
     for(const AG::Point_pair& pair : list)
-      expected.push_back(AG::Surface_search<Rooms>(graph).distances({pair})[0]);
+    {
+      AG::Surface_search<Rooms> search(graph);
+      expected.push_back(AG::pair_distances(search, {pair})[0]);
+    }
     for(const std::size_t number : {1u, 16u})
     {
       const AG::Landmarks<Rooms> landmarks(graph, number);
-      AG::Surface_search<Rooms> search(graph);
+      AG::Guided_search<Rooms> search(graph);
       search.use_landmarks(landmarks);
       for(std::size_t i = 0; i < list.size(); ++i)
-        EXPECT_NEAR(search.distances({list[i]})[0], expected[i], 1e-13 * expected[i]) << i;
+        EXPECT_NEAR(AG::pair_distances(search, {list[i]})[0], expected[i], 1e-13 * expected[i])
+            << i;
     }
   }
 }
@@ -279,7 +287,7 @@ TEST(Landmarks, leave_no_label_behind)
     const Barriers walls = random_barriers(mesh, 0.45, random);
     const Rooms graph(Triangulation(mesh, with_barriers(walls)), Fixed_number_of_points(0));
     const AG::Landmarks<Rooms> landmarks(graph, 1);
-    AG::Surface_search<Rooms> search(graph);
+    AG::Guided_search<Rooms> search(graph);
     search.use_landmarks(landmarks);
     const auto point = [&] {
       return Intrinsic_point::at_vertex(
@@ -289,8 +297,9 @@ TEST(Landmarks, leave_no_label_behind)
     {
       const double limit = i % 3 == 0 ? infinity : random.between(0, 4);
       const std::vector<AG::Point_pair> pair = {{point(), point()}};
-      const double expected = AG::Surface_search<Rooms>(graph).distances(pair, limit)[0];
-      const double found = search.distances(pair, limit)[0];
+      AG::Surface_search<Rooms> other(graph);
+      const double expected = AG::pair_distances(other, pair, limit)[0];
+      const double found = AG::pair_distances(search, pair, limit)[0];
       EXPECT_TRUE(found == expected || std::abs(found - expected) <= 1e-13 * expected)
           << found << " for " << expected;
     }
@@ -309,7 +318,7 @@ TEST(Landmarks, lead_to_the_target)
   });
   const auto graph = steiner_graph(mesh, weights, Fixed_number_of_points(2));
   const AG::Landmarks<Steiner_graph<Fixed_number_of_points>> landmarks(graph);
-  AG::Surface_search<Steiner_graph<Fixed_number_of_points>, AG::Binary_heap_queue> search(graph);
+  AG::Guided_search<Steiner_graph<Fixed_number_of_points>, AG::Binary_heap_queue> search(graph);
   const auto vertex = [&](const std::size_t x, const std::size_t y) {
     return Intrinsic_point::at_vertex(graph.triangulation().vertex(x + columns * y));
   };
@@ -330,20 +339,21 @@ TEST(Landmarks, lead_lists_of_pairs)
   const Weights weights = random_weights(mesh, random, 1, 3);
   const auto graph = steiner_graph(mesh, weights, Fixed_number_of_points(1));
   const AG::Landmarks<Steiner_graph<Fixed_number_of_points>> landmarks(graph, 8);
-  AG::Surface_search<Steiner_graph<Fixed_number_of_points>> search(graph), led(graph);
+  AG::Surface_search<Steiner_graph<Fixed_number_of_points>> search(graph);
+  AG::Guided_search<Steiner_graph<Fixed_number_of_points>> led(graph);
   led.use_landmarks(landmarks);
   std::vector<AG::Point_pair> pairs;
   for(std::uint32_t i = 0; i < 20; ++i)
     pairs.emplace_back(Intrinsic_point::at_vertex(17 * i),
                        Intrinsic_point::at_vertex(13 * i + 100));
   pairs.emplace_back(pairs[3].first, pairs[4].first); // two with the same source
-  const auto expected = search.distances(pairs), found = led.distances(pairs);
+  const auto expected = AG::pair_distances(search, pairs), found = AG::pair_distances(led, pairs);
   for(std::size_t i = 0; i < pairs.size(); ++i)
     EXPECT_NEAR(found[i], expected[i], 1e-13 * expected[i]);
   for(std::size_t i = 0; i < pairs.size(); ++i) // whatever the others are
-    EXPECT_EQ(led.distances({pairs[i]})[0], found[i]);
-  const auto limited = led.distances(pairs, expected[0]),
-             wanted = search.distances(pairs, expected[0]);
+    EXPECT_EQ(AG::pair_distances(led, {pairs[i]})[0], found[i]);
+  const auto limited = AG::pair_distances(led, pairs, expected[0]),
+             wanted = AG::pair_distances(search, pairs, expected[0]);
   for(std::size_t i = 1; i < pairs.size(); ++i)
     EXPECT_EQ(std::isinf(limited[i]), std::isinf(wanted[i]));
 }
@@ -355,20 +365,21 @@ TEST(Landmarks, lead_the_class)
   const Weights weights = random_weights(mesh, random, 1, 3);
   using Paths = AG::Surface_mesh_shortest_path<Mesh, Steiner_graph<Fixed_number_of_points>>;
   Paths paths(mesh, steiner_graph(mesh, weights, Fixed_number_of_points(1)));
+  AG::Pair_queries queries(paths);
   std::vector<std::pair<Vertex, Vertex>> pairs;
   for(Mesh::size_type i = 0; i < 20; ++i)
     pairs.emplace_back(Vertex(17 * i), Vertex(13 * i + 100));
   const auto expect = [&](const std::vector<double>& expected) {
-    const std::vector<double> found = paths.distances(pairs);
+    const std::vector<double> found = queries.distances(pairs);
     for(std::size_t i = 0; i < pairs.size(); ++i)
     {
       EXPECT_NEAR(found[i], expected[i], 1e-13 * expected[i]);
-      EXPECT_NEAR(paths.shortest_distance(pairs[i].first, pairs[i].second), expected[i],
+      EXPECT_NEAR(queries.shortest_distance(pairs[i].first, pairs[i].second), expected[i],
                   1e-13 * expected[i]);
     }
   };
-  const std::vector<double> expected = paths.distances(pairs);
-  paths.prepare_pairs();
+  const std::vector<double> expected = queries.distances(pairs);
+  queries.prepare();
   expect(expected);
   std::vector<std::pair<Face, double>> changes;
   for(Mesh::size_type i = 0; i < 100; ++i)
@@ -380,9 +391,9 @@ TEST(Landmarks, lead_the_class)
     changed.emplace_back(
         Intrinsic_point::at_vertex(paths.graph().triangulation().vertex(source.idx())),
         Intrinsic_point::at_vertex(paths.graph().triangulation().vertex(target.idx())));
-  expect(search.distances(changed));
-  paths.prepare_pairs(4);
-  expect(search.distances(changed));
+  expect(AG::pair_distances(search, changed));
+  queries.prepare(4);
+  expect(AG::pair_distances(search, changed));
 }
 
 // After weights have changed, bounds need not hold.
@@ -392,7 +403,8 @@ TEST(Landmarks, are_not_used_after_changes)
   auto graph = steiner_graph(mesh, Weights(mesh.num_faces(), 4), Fixed_number_of_points(1));
   using Graph_with_points = Steiner_graph<Fixed_number_of_points>;
   const AG::Landmarks<Graph_with_points> landmarks(graph, 4);
-  AG::Surface_search<Graph_with_points> search(graph), led(graph);
+  AG::Surface_search<Graph_with_points> search(graph);
+  AG::Guided_search<Graph_with_points> led(graph);
   led.use_landmarks(landmarks);
   std::vector<AG::Weight_change> changes;
   const Triangulation& triangulation = graph.triangulation();
@@ -431,7 +443,8 @@ TEST(Landmarks, are_not_used_after_barriers_were_lifted)
     return Steiner_graph<Fixed_number_of_points>(Triangulation(mesh, with_barriers(barriers)),
                                                  Fixed_number_of_points(1));
   };
-  Paths led(mesh, graph()), others(mesh, graph());
+  Paths paths(mesh, graph()), others(mesh, graph());
+  AG::Pair_queries led(paths);
   const auto expect_same = [&](const double rounding) {
     for(Mesh::size_type i = 0; i < mesh.num_vertices(); i += 5)
     {
@@ -439,17 +452,17 @@ TEST(Landmarks, are_not_used_after_barriers_were_lifted)
       EXPECT_NEAR(led.shortest_distance(Vertex(14), Vertex(i)), expected, rounding);
     }
   };
-  led.prepare_pairs(4);
+  led.prepare(4);
   for(const bool is_closed : {false, true})
   {
-    led.set_barriers(is_closed ? closed : open);
+    paths.set_barriers(is_closed ? closed : open);
     others.set_barriers(is_closed ? closed : open);
     expect_same(0);
     EXPECT_EQ(led.shortest_distance(Vertex(14), Vertex(10)) < 0, is_closed);
   }
-  led.set_barriers(open);
+  paths.set_barriers(open);
   others.set_barriers(open);
-  led.prepare_pairs(4);
+  led.prepare(4);
   expect_same(1e-12);
 }
 
@@ -462,7 +475,8 @@ void expect_bound_of_pairs(const Mesh& mesh,
   const auto graph = steiner_graph(mesh, weights, Geometric_points(0.1));
   const auto fine = steiner_graph(mesh, weights, Geometric_points(epsilon_of_fine_graph));
   const AG::Landmarks<Steiner_graph<>> landmarks(graph);
-  AG::Surface_search<Steiner_graph<>> led(graph), all(fine);
+  AG::Guided_search<Steiner_graph<>> led(graph);
+  AG::Surface_search<Steiner_graph<>> all(fine);
   led.use_landmarks(landmarks);
   double largest = 0;
   for(const Intrinsic_point& source : sources)
@@ -541,7 +555,7 @@ TEST(Landmarks, are_those_of_the_graph)
   const Mesh mesh = to_mesh(flat_grid(4, 4));
   const AG::Edge_graph graph{Triangulation(mesh)}, other{Triangulation(mesh)};
   const AG::Landmarks<AG::Edge_graph> landmarks(graph, 2);
-  AG::Surface_search<AG::Edge_graph> search(other);
+  AG::Guided_search<AG::Edge_graph> search(other);
   expect_message<std::invalid_argument>([&] { search.use_landmarks(landmarks); },
                                         "the landmarks are those of another graph");
 }

@@ -85,8 +85,8 @@ template <typename Queue, typename GeodesicGraph>
 Findings found_together(const GeodesicGraph& graph, const Pairs& pairs, const double limit)
 {
   AG::Surface_search<GeodesicGraph, Queue> search(graph);
-  Findings result{search.distances(pairs, limit), {}};
-  for(const AG::Path& path : search.paths(pairs, limit))
+  Findings result{AG::pair_distances(search, pairs, limit), {}};
+  for(const AG::Path& path : AG::pair_paths(search, pairs, limit))
     append_path(path, result.paths);
   return result;
 }
@@ -205,8 +205,9 @@ TEST(Point_pairs, keep_their_direction)
   const Pairs pairs = random_pairs(mesh, graph.triangulation(), random);
   expect_same<AG::Binary_heap_queue>(graph, pairs);
   expect_same<AG::Binary_heap_queue>(reversed, pairs);
-  const Numbers there = AG::Surface_search<Dense_graph>(graph).distances(pairs);
-  const Numbers from_the_end = AG::Surface_search<Dense_graph>(reversed).distances(pairs);
+  AG::Surface_search<Dense_graph> forward(graph), backward(reversed);
+  const Numbers there = AG::pair_distances(forward, pairs);
+  const Numbers from_the_end = AG::pair_distances(backward, pairs);
   for(std::size_t i = 0; i < pairs.size(); ++i)
   {
     const double larger = (std::max)(there[i], from_the_end[i]);
@@ -237,29 +238,30 @@ protected:
 TEST_F(Point_pairs_on_two_grids, are_infinite_where_there_is_no_path)
 {
   const Pairs pairs{{vertex(0), vertex(22)}, {vertex(0), vertex(4)}, {vertex(22), vertex(22)}};
-  EXPECT_EQ(m_search.distances(pairs), (Numbers{infinity, 4, 0}));
-  const auto paths = m_search.paths(pairs);
+  EXPECT_EQ(AG::pair_distances(m_search, pairs), (Numbers{infinity, 4, 0}));
+  const auto paths = AG::pair_paths(m_search, pairs);
   EXPECT_TRUE(paths[0].points.empty());
   EXPECT_EQ(paths[1].points.front().vertex, vertex(0).vertex);
   EXPECT_EQ(paths[1].points.back().vertex, vertex(4).vertex);
   EXPECT_EQ(paths[2].points.size(), 1u);
-  EXPECT_EQ(m_search.distances(pairs, 3), (Numbers{infinity, infinity, 0}));
+  EXPECT_EQ(AG::pair_distances(m_search, pairs, 3), (Numbers{infinity, infinity, 0}));
 }
 
 TEST_F(Point_pairs_on_two_grids, may_be_none)
 {
-  EXPECT_TRUE(m_search.distances({}).empty());
-  EXPECT_TRUE(m_search.paths({}).empty());
+  EXPECT_TRUE(AG::pair_distances(m_search, {}).empty());
+  EXPECT_TRUE(AG::pair_paths(m_search, {}).empty());
 }
 
 TEST_F(Point_pairs_on_two_grids, share_a_search)
 {
   m_search.collect_statistics(true);
-  m_search.distances({{vertex(0), vertex(1)}, {vertex(0), vertex(19)}, {vertex(0), vertex(0)}});
+  AG::pair_distances(m_search,
+                     {{vertex(0), vertex(1)}, {vertex(0), vertex(19)}, {vertex(0), vertex(0)}});
   EXPECT_EQ(m_search.sources().size(), 1u);
   for(const auto target : {vertex(1), vertex(19), vertex(0)}) // all are known to the last search
     EXPECT_LT(m_search.distance(target), infinity);
-  m_search.distances({{vertex(0), vertex(1)}});
+  AG::pair_distances(m_search, {{vertex(0), vertex(1)}});
   EXPECT_LT(m_search.search().statistics().settled_nodes, 10u); // it stops at the target
 }
 
@@ -269,15 +271,15 @@ TEST_F(Point_pairs_on_two_grids, are_refused_by_their_number)
   const double not_a_number = std::numeric_limits<double>::quiet_NaN();
   expect_message<std::invalid_argument>(
       [&] {
-        m_search.distances({{vertex(0), vertex(1)}, {vertex(0), wrong}});
+        AG::pair_distances(m_search, {{vertex(0), vertex(1)}, {vertex(0), wrong}});
       },
       "pair 1", "target");
   expect_message<std::invalid_argument>(
       [&] {
-        m_search.paths({{Intrinsic_point::on_edge(0, not_a_number), vertex(0)}});
+        AG::pair_paths(m_search, {{Intrinsic_point::on_edge(0, not_a_number), vertex(0)}});
       },
       "pair 0", "source");
-  EXPECT_EQ(m_search.distances({{vertex(0), vertex(1)}}), Numbers{1});
+  EXPECT_EQ(AG::pair_distances(m_search, {{vertex(0), vertex(1)}}), Numbers{1});
 }
 
 } // namespace

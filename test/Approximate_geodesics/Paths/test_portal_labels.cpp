@@ -17,6 +17,7 @@
 #include "threads/numbers_of_threads.h"
 
 #include <CGAL/Approximate_geodesics/Base/internal/binary_io.h>
+#include <CGAL/Approximate_geodesics/Paths/Guided_search.h>
 #include <CGAL/Approximate_geodesics/Paths/Landmarks.h>
 #include <CGAL/Approximate_geodesics/Paths/Surface_search.h>
 
@@ -218,7 +219,8 @@ TEST(Portal_labels, leave_the_rest_to_a_search)
   const auto graph =
       discrete_geodesic_graph(0.2).make(Triangulation(to_mesh(terrain(25, 20, random))));
   const Portal_labels<Discrete_geodesic_graph> labels(graph, parameters::epsilon(0.1));
-  AG::Surface_search<Discrete_geodesic_graph> search(graph), other(graph);
+  AG::Guided_search<Discrete_geodesic_graph> search(graph);
+  AG::Surface_search<Discrete_geodesic_graph> other(graph);
   const AG::Landmarks<Discrete_geodesic_graph> landmarks(graph, 4);
   for(std::uint32_t v = 0; v < 500; v += 41)
   {

@@ -14,6 +14,7 @@
 #include <CGAL/Approximate_geodesics/Graphs/Directional_graph.h>
 #include <CGAL/Approximate_geodesics/Mesh/Mesh_translation.h>
 #include <CGAL/Approximate_geodesics/Paths/Path_straightener.h>
+#include <CGAL/Approximate_geodesics/Queries/search_from_curves.h>
 #include <CGAL/Approximate_geodesics/Surface_mesh_shortest_path.h>
 
 #include <gtest/gtest.h>
@@ -204,7 +205,8 @@ TEST_F(Surface_searches, take_graphs_that_have_what_concepts_ask_for)
   AG::Surface_search<Graph_with_lines> search(graph);
   search.repair({{m_points[0]}});
   EXPECT_EQ(search.distance(m_points[0]), 0);
-  expect_message<std::invalid_argument>([&] { search.run_from_curves({{{m_points}}}); }, "curves");
+  expect_message<std::invalid_argument>([&] { AG::run_from_curves(search, {{{m_points}}}); },
+                                        "curves");
 
   AG::Surface_mesh_shortest_path<Mesh, Graph_with_lines> paths(m_mesh);
   AG::Surface_mesh_shortest_path<Mesh, AG::Edge_graph> expected(m_mesh);

@@ -7,7 +7,7 @@
 #include "checks/expect_message.h"
 
 #include <CGAL/Approximate_geodesics/Graphs/Discrete_geodesic_graph.h>
-#include <CGAL/Approximate_geodesics/Graphs/Steiner_graph.h>
+#include <CGAL/Geodesic_costs.h>
 
 #include <gtest/gtest.h>
 

@@ -45,7 +45,7 @@ TEST(Distances_over_edges, are_right_beside_long_edges)
   for(int round = 0; round < 20; ++round)
   {
     Exact_surface_search search(graph);
-    search.run_from_curves({{{random_polyline(graph, 3, random)}}});
+    AG::run_from_curves(search, {{{random_polyline(graph, 3, random)}}});
     const double allowed = 1e-5 * largest_distance(search);
     const AG::internal::Distances_on_edges<Exact_surface_search> on_edges(search,
                                                                           allowed / t.unit());

@@ -42,7 +42,7 @@ TEST(Offset_tracer, takes_no_more_triangles_the_longer_needles_are)
     for(std::size_t v = 3; v < 28; v += 7)
       column.push_back(Intrinsic_point::at_vertex(t.vertex(v)));
     Search_from_curve search(graph);
-    search.run_from_curves({{{column}}});
+    AG::run_from_curves(search, {{{column}}});
     const double width = 3 / aspect, step = 0.01;
     AG::internal::Offset_tracer tracer(search, {width / 1e3, width / 2}, step, most_parts);
     EXPECT_NO_THROW(tracer.trace());

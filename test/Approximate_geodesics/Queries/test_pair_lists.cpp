@@ -11,6 +11,7 @@
 #include "meshes/test_costs.h"
 #include "meshes/test_weights.h"
 
+#include <CGAL/Approximate_geodesics/Queries/Pair_queries.h>
 #include <CGAL/Approximate_geodesics/Surface_mesh_shortest_path.h>
 
 #include <gtest/gtest.h>
@@ -35,7 +36,7 @@ using Distances = std::vector<double>;
 using Interval = std::pair<double, double>;
 
 template <typename Domain, typename Pairs, typename... NamedParameters>
-Distances pair_distances(const Domain& domain, const Pairs& pairs, const NamedParameters&... np)
+Distances distances_of(const Domain& domain, const Pairs& pairs, const NamedParameters&... np)
 {
   Distances result;
   EXPECT_TRUE(
@@ -68,15 +69,15 @@ protected:
   {
     const AG::Surface_mesh_shortest_path<Mesh, GeodesicGraph> paths(m_mesh, np);
     const Distances expected = this->expected(paths.graph());
-    EXPECT_TRUE(have_same_bits(pair_distances(m_mesh, m_pairs, np), expected));
-    EXPECT_TRUE(have_same_bits(paths.distances(m_pairs), expected));
+    EXPECT_TRUE(have_same_bits(distances_of(m_mesh, m_pairs, np), expected));
+    EXPECT_TRUE(have_same_bits(AG::Pair_queries(paths).distances(m_pairs), expected));
     std::vector<AG::Point_pair> pairs;
     for(const auto& [source, target] : m_pairs)
     {
       const auto ends = intrinsic_points(m_mesh, paths.graph().triangulation(), {source, target});
       pairs.emplace_back(ends[0], ends[1]);
     }
-    EXPECT_TRUE(have_same_bits(pair_distances(paths.graph(), pairs), expected));
+    EXPECT_TRUE(have_same_bits(distances_of(paths.graph(), pairs), expected));
   }
 
   std::vector<Pair> pairs()
@@ -112,9 +113,9 @@ TEST_F(Pair_lists, are_those_of_single_searches_if_costs_depend_on_the_direction
   const AG::Surface_mesh_shortest_path<Mesh, Directional_graph<>> from(m_mesh, np);
   const AG::Surface_mesh_shortest_path<Mesh, Directional_graph<>> to(m_mesh,
                                                                      from.graph().reversed());
-  EXPECT_TRUE(have_same_bits(pair_distances(m_mesh, m_pairs, np), expected(from.graph())));
-  EXPECT_TRUE(have_same_bits(from.distances(m_pairs), expected(from.graph())));
-  EXPECT_TRUE(have_same_bits(to.distances(m_pairs), expected(to.graph())));
+  EXPECT_TRUE(have_same_bits(distances_of(m_mesh, m_pairs, np), expected(from.graph())));
+  EXPECT_TRUE(have_same_bits(AG::Pair_queries(from).distances(m_pairs), expected(from.graph())));
+  EXPECT_TRUE(have_same_bits(AG::Pair_queries(to).distances(m_pairs), expected(to.graph())));
 }
 
 // Workspaces that a list has left are used by the next one.
@@ -123,14 +124,15 @@ TEST_F(Pair_lists, can_be_found_one_after_the_other)
   const Weights weights = random_weights(m_mesh, m_random, 0.2, 5);
   AG::Surface_mesh_shortest_path<Mesh, Steiner_graph<Fixed_number_of_points>> paths(
       m_mesh, parameters::number_of_points_per_edge(2));
+  const AG::Pair_queries queries(paths);
   for(int i = 0; i < 3; ++i)
   {
     if(i == 2)
       paths.set_face_weights(weight_map(weights));
     const Distances expected = this->expected(paths.graph());
-    EXPECT_TRUE(have_same_bits(paths.distances(m_pairs), expected));
-    EXPECT_TRUE(paths.distances(m_pairs, parameters::maximum_distance(1)) != expected);
-    EXPECT_TRUE(have_same_bits(paths.distances(m_pairs), expected));
+    EXPECT_TRUE(have_same_bits(queries.distances(m_pairs), expected));
+    EXPECT_TRUE(queries.distances(m_pairs, parameters::maximum_distance(1)) != expected);
+    EXPECT_TRUE(have_same_bits(queries.distances(m_pairs), expected));
   }
 }
 
@@ -145,7 +147,7 @@ TEST_F(Pair_lists, are_the_same_in_a_graph_that_keeps_its_arcs)
     const auto ends = intrinsic_points(m_mesh, graph.triangulation(), {source, target});
     pairs.emplace_back(ends[0], ends[1]);
   }
-  EXPECT_TRUE(have_same_bits(pair_distances(graph, pairs), pair_distances(m_mesh, m_pairs, np)));
+  EXPECT_TRUE(have_same_bits(distances_of(graph, pairs), distances_of(m_mesh, m_pairs, np)));
 }
 
 TEST_F(Pair_lists, keep_the_direction_of_costs)
@@ -157,15 +159,16 @@ TEST_F(Pair_lists, keep_the_direction_of_costs)
                                                      {Vertex(29), Vertex(0)}};
   const AG::Surface_mesh_shortest_path<Mesh, Directional_graph<>> from(mesh, np);
   const AG::Surface_mesh_shortest_path<Mesh, Directional_graph<>> to(mesh, from.graph().reversed());
+  const AG::Pair_queries queries(from), queries_to(to);
   for(const Distances& found :
-      {pair_distances(mesh, pairs, np), from.distances(pairs), to.distances(pairs)})
+      {distances_of(mesh, pairs, np), queries.distances(pairs), queries_to.distances(pairs)})
     for(std::size_t i = 0; i < 2; ++i)
     {
       const double cost = slant.cost(mesh.point(pairs[i].second) - mesh.point(pairs[i].first));
       EXPECT_GE(found[i], (1 - 1e-9) * cost);
       EXPECT_LE(found[i], 1.1 * cost);
     }
-  for(const auto& paths : {from.paths(pairs), to.paths(pairs)})
+  for(const auto& paths : {queries.paths(pairs), queries_to.paths(pairs)})
     for(std::size_t i = 0; i < 2; ++i)
     {
       EXPECT_EQ(paths[i].front(), mesh.point(pairs[i].first));
@@ -179,25 +182,25 @@ TEST_F(Pair_lists, may_be_of_other_ranges_and_points)
   const Face_location place(*m_mesh.faces().begin(), {0.5, 0.25, 0.25});
   const std::vector<std::pair<Vertex, Face_location>> mixed{{Vertex(3), place}};
   const std::vector<Pair> same{{Vertex(3), Vertex(8)}, {Vertex(0), Vertex(0)}, {Vertex(3), place}};
-  Distances found = pair_distances(m_mesh, pairs);
-  const Distances last = pair_distances(m_mesh, mixed);
+  Distances found = distances_of(m_mesh, pairs);
+  const Distances last = distances_of(m_mesh, mixed);
   found.insert(found.end(), last.begin(), last.end());
-  EXPECT_EQ(found, pair_distances(m_mesh, same));
-  EXPECT_TRUE(pair_distances(m_mesh, std::vector<Pair>()).empty());
+  EXPECT_EQ(found, distances_of(m_mesh, same));
+  EXPECT_TRUE(distances_of(m_mesh, std::vector<Pair>()).empty());
 }
 
 TEST_F(Pair_lists, end_at_a_distance)
 {
   const auto np = parameters::epsilon(0.1);
-  const Distances all = pair_distances(m_mesh, m_pairs, np);
-  const Distances found = pair_distances(m_mesh, m_pairs, np.maximum_distance(3));
+  const Distances all = distances_of(m_mesh, m_pairs, np);
+  const Distances found = distances_of(m_mesh, m_pairs, np.maximum_distance(3));
   for(std::size_t i = 0; i < all.size(); ++i)
     EXPECT_EQ(found[i], all[i] <= 3 ? all[i] : infinity);
 }
 
 TEST_F(Pair_lists, have_intervals_that_contain_exact_distances)
 {
-  const Distances exact = pair_distances(m_mesh, m_pairs, parameters::epsilon(0));
+  const Distances exact = distances_of(m_mesh, m_pairs, parameters::epsilon(0));
   const auto expect = [&](const std::vector<Interval>& found) {
     ASSERT_EQ(found.size(), exact.size());
     for(std::size_t i = 0; i < exact.size(); ++i)
@@ -210,11 +213,14 @@ TEST_F(Pair_lists, have_intervals_that_contain_exact_distances)
   using Paths_across_faces = AG::Surface_mesh_shortest_path<Mesh, Discrete_geodesic_graph>;
   using Weighted_paths = AG::Surface_mesh_shortest_path<Mesh, Steiner_graph<>>;
   const auto np = parameters::epsilon(0.3);
-  expect(Exact_paths(m_mesh).distance_intervals(m_pairs));
-  expect(Paths_across_faces(m_mesh, np).distance_intervals(m_pairs));
+  const Exact_paths exact_paths(m_mesh);
+  const Paths_across_faces across_faces(m_mesh, np);
+  const Weighted_paths weighted(m_mesh, np);
+  expect(AG::Pair_queries(exact_paths).distance_intervals(m_pairs));
+  expect(AG::Pair_queries(across_faces).distance_intervals(m_pairs));
   expect(
-      Paths_across_faces(m_mesh, np).distance_intervals(m_pairs, parameters::maximum_distance(2)));
-  expect(Weighted_paths(m_mesh, np).distance_intervals(m_pairs));
+      AG::Pair_queries(across_faces).distance_intervals(m_pairs, parameters::maximum_distance(2)));
+  expect(AG::Pair_queries(weighted).distance_intervals(m_pairs));
 }
 
 TEST_F(Pair_lists, have_paths)
@@ -224,9 +230,10 @@ TEST_F(Pair_lists, have_paths)
   };
   const AG::Surface_mesh_shortest_path<Mesh, Discrete_geodesic_graph> paths(
       m_mesh, parameters::epsilon(0.2));
-  const Distances distances = paths.distances(m_pairs);
-  const auto found = paths.paths(m_pairs);
-  const auto straight = paths.paths(m_pairs, parameters::straighten(true));
+  const AG::Pair_queries queries(paths);
+  const Distances distances = queries.distances(m_pairs);
+  const auto found = queries.paths(m_pairs);
+  const auto straight = queries.paths(m_pairs, parameters::straighten(true));
   ASSERT_EQ(found.size(), m_pairs.size());
   for(std::size_t i = 0; i < found.size(); ++i)
   {
@@ -265,9 +272,10 @@ TEST_F(Pair_lists, name_a_wrong_pair_and_write_nothing)
   const Graph graph{Triangulation(m_mesh)};
   expect_message<std::invalid_argument>([&] { compute(graph, wrong_point); }, "pair 0", "source");
   const AG::Surface_mesh_shortest_path<Mesh> paths(m_mesh);
-  expect_message<std::invalid_argument>([&] { paths.paths(wrong_source); }, "pair 1", "source");
+  const AG::Pair_queries queries(paths);
+  expect_message<std::invalid_argument>([&] { queries.paths(wrong_source); }, "pair 1", "source");
   expect_message<std::invalid_argument>(
-      [&] { paths.distances(m_pairs, parameters::maximum_distance(-1)); }, "maximum_distance");
+      [&] { queries.distances(m_pairs, parameters::maximum_distance(-1)); }, "maximum_distance");
   EXPECT_TRUE(found.empty());
 }
 

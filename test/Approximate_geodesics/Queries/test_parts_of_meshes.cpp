@@ -11,6 +11,7 @@
 #include "meshes/hostile_meshes.h"
 #include "meshes/surface_points.h"
 
+#include <CGAL/Geodesic_costs.h>
 #include <CGAL/Polyhedron_3.h>
 #include <CGAL/approximate_geodesic_path.h>
 #include <CGAL/boost/graph/Euler_operations.h>

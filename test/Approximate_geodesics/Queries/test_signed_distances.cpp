@@ -12,7 +12,9 @@
 #include "paths/closed_curves.h"
 
 #include <CGAL/Approximate_geodesics/Graphs/Lazy_discrete_geodesic_graph.h>
+#include <CGAL/Approximate_geodesics/Queries/Source_curve.h>
 #include <CGAL/Approximate_geodesics/Surface_mesh_shortest_path.h>
+#include <CGAL/Geodesic_costs.h>
 
 #include <gtest/gtest.h>
 

@@ -11,8 +11,8 @@
 #include <CGAL/Approximate_geodesics/Graphs/Edge_graph.h>
 #include <CGAL/Approximate_geodesics/Graphs/Lazy_discrete_geodesic_graph.h>
 #include <CGAL/Approximate_geodesics/Graphs/Saddle_vertex_graph.h>
-#include <CGAL/Approximate_geodesics/Mesh/Source_curve.h>
-#include <CGAL/Approximate_geodesics/Paths/internal/signed_distances.h>
+#include <CGAL/Approximate_geodesics/Queries/Source_curve.h>
+#include <CGAL/Approximate_geodesics/Queries/internal/signed_distances.h>
 
 #include <gtest/gtest.h>
 
@@ -80,7 +80,7 @@ void expect_properties(const Graph& graph, const double excess, Random& random)
       1e-9 * graph.arc_lengths().longest * t.unit() + 8 * std::numeric_limits<double>::denorm_min();
   const double length = AG::internal::length_of_segments(t, polyline) * t.unit();
   AG::Surface_search<Graph> search(graph), from_point(graph);
-  search.run_from_curves({{{polyline}}});
+  AG::run_from_curves(search, {{{polyline}}});
   const std::size_t step = 1 + polyline.size() / 4;
   for(std::size_t i = 0; i < polyline.size(); i += step)
   {
@@ -157,7 +157,7 @@ void expect_sides(const AG::Saddle_vertex_graph& graph, const Intrinsic_curve& c
 {
   const AG::Intrinsic_triangulation& t = graph.triangulation();
   AG::Surface_search<AG::Saddle_vertex_graph> search(graph);
-  search.run_from_curves({curve});
+  AG::run_from_curves(search, {curve});
   const std::vector<double> found = AG::internal::signed_distances(search);
   const double small = 1e-7 * graph.arc_lengths().longest * t.unit() +
                        16 * std::numeric_limits<double>::denorm_min();

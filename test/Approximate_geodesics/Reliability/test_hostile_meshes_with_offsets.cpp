@@ -161,7 +161,7 @@ TEST(Hostile_meshes, have_offsets_that_are_closed_or_end_at_the_border)
     for(int i = 0; i < 4; ++i)
     {
       Exact_search_from_curves search(graph);
-      search.run_from_curves({random_source(graph, random)});
+      AG::run_from_curves(search, {random_source(graph, random)});
       const std::vector<double> offsets = some_offsets(search);
       if(!offsets.empty())
         expect_lines(search, offsets, number_of_corners);

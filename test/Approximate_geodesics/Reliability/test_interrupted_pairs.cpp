@@ -7,7 +7,9 @@
 #include "checks/failing_allocation.h"
 #include "checks/graphs_of_all_kinds.h"
 
-#include <CGAL/Approximate_geodesics/Paths/Exact_landmarks.h>
+#include <CGAL/Approximate_geodesics/Paths/Guided_search.h>
+#include <CGAL/Approximate_geodesics/Paths/Point_pairs.h>
+#include <CGAL/Approximate_geodesics/Queries/Pair_queries.h>
 #include <CGAL/Approximate_geodesics/Surface_mesh_shortest_path.h>
 #include <CGAL/approximate_geodesic_pair_distances.h>
 #include <CGAL/tags.h>
@@ -84,9 +86,10 @@ TEST_F(Interrupted_pairs, with_paths)
 {
   using Paths = AG::Surface_mesh_shortest_path<Mesh, Discrete_geodesic_graph>;
   const Paths paths(m_mesh, parameters::epsilon(0.5));
+  const AG::Pair_queries queries(paths);
   expect_survival([&] {
     Values result;
-    for(const auto& path : paths.paths(m_pairs, parameters::straighten(true)))
+    for(const auto& path : queries.paths(m_pairs, parameters::straighten(true)))
       for(const Point& p : path)
         result.insert(result.end(), {p.x(), p.y(), p.z()});
     return result;
@@ -99,32 +102,33 @@ TEST_F(Interrupted_pairs, of_a_search)
   const Graph graph{Triangulation(m_mesh)};
   const auto pairs = pairs_of(graph.triangulation());
   AG::Surface_search<Graph> search(graph);
-  expect_survival([&] { return search.distances(pairs); });
+  expect_survival([&] { return AG::pair_distances(search, pairs); });
 }
 
 // So can landmarks, and the workspaces of two graphs.
 TEST_F(Interrupted_pairs, that_are_exact_and_prepared)
 {
-  using Search = AG::Surface_search<Saddle_vertex_graph>;
+  using Search = AG::Guided_search<Saddle_vertex_graph>;
   const Saddle_vertex_graph graph{Triangulation(m_mesh)};
   const auto pairs = pairs_of(graph.triangulation());
   expect_survival([&] {
     const AG::Exact_landmarks<Saddle_vertex_graph> landmarks(graph, 2);
     Search search(graph);
     search.use_landmarks(landmarks);
-    return search.distances(pairs);
+    return AG::pair_distances(search, pairs);
   });
   const AG::Exact_landmarks<Saddle_vertex_graph> landmarks(graph, 2);
   Search search(graph);
   search.use_landmarks(landmarks);
-  search.distances(pairs); // buckets adapt to it: the next run may fill others, which keep memory
-  expect_survival([&] { return search.distances(pairs); });
+  // buckets adapt to it: the next run may fill others, which keep memory
+  AG::pair_distances(search, pairs);
+  expect_survival([&] { return AG::pair_distances(search, pairs); });
 }
 
 // After a failure, nothing counts as reached, whether the search was guided or not.
 TEST_F(Interrupted_pairs, that_are_led_around_barriers)
 {
-  using Search = AG::Surface_search<Steiner_graph<Fixed_number_of_points>>;
+  using Search = AG::Guided_search<Steiner_graph<Fixed_number_of_points>>;
   Random random(test_seed());
   const Barriers barriers = random_barriers(m_mesh, 0.3, random);
   const Steiner_graph<Fixed_number_of_points> graph(Triangulation(m_mesh, with_barriers(barriers)),

@@ -7,7 +7,7 @@
 #include "checks/graphs_of_all_kinds.h"
 #include "meshes/test_weights.h"
 
-#include <CGAL/Approximate_geodesics/Paths/Surface_search.h>
+#include <CGAL/Approximate_geodesics/Paths/Guided_search.h>
 
 #include <gtest/gtest.h>
 
@@ -134,7 +134,7 @@ TEST(Interrupted_landmarks, can_be_made_again)
 // The queue of a guided run keeps its entries in order, and afterwards does as before.
 TEST(Interrupted_guided_run, leaves_nothing_that_was_reached)
 {
-  using Guided = AG::Surface_search<Points_graph>;
+  using Guided = AG::Guided_search<Points_graph>;
   const Mesh mesh = small_terrain();
   const Points_graph graph(Triangulation(mesh), Fixed_number_of_points(1));
   const AG::Landmarks<Points_graph> landmarks(graph, 3);

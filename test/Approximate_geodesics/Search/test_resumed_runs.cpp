@@ -10,6 +10,7 @@
 
 #include <CGAL/Approximate_geodesics/Graphs/Grid_graph.h>
 #include <CGAL/Approximate_geodesics/Queues/Ordered_queues.h>
+#include <CGAL/Geodesic_costs.h>
 
 #include <gtest/gtest.h>
 

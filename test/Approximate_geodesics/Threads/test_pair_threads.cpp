@@ -7,6 +7,7 @@
 #include "threads/numbers_of_threads.h"
 
 #include <CGAL/Approximate_geodesics/Matrices/Distance_matrix_types.h>
+#include <CGAL/Approximate_geodesics/Queries/Pair_queries.h>
 #include <CGAL/Approximate_geodesics/Surface_mesh_shortest_path.h>
 #include <CGAL/approximate_geodesic_pair_distances.h>
 
@@ -56,13 +57,14 @@ TEST_F(Pair_threads, find_the_same)
   const auto expect = [&](const auto& of_graph, const auto& paths) {
     std::vector<double> expected;
     EXPECT_TRUE(compute(expected, of_graph(with_concurrency(CGAL::Sequential_tag()))));
-    const auto expected_paths = paths.paths(m_pairs);
+    const AG::Pair_queries queries(paths);
+    const auto expected_paths = queries.paths(m_pairs);
     for_each_number_of_threads([&](const auto& tag) {
       std::vector<double> found;
       EXPECT_TRUE(compute(found, of_graph(tag)));
       EXPECT_TRUE(have_same_bits(found, expected));
-      EXPECT_TRUE(have_same_bits(paths.distances(m_pairs, tag), expected));
-      EXPECT_EQ(paths.paths(m_pairs, tag), expected_paths);
+      EXPECT_TRUE(have_same_bits(queries.distances(m_pairs, tag), expected));
+      EXPECT_EQ(queries.paths(m_pairs, tag), expected_paths);
     });
   };
   expect([](const auto& tag) { return tag; },
@@ -75,11 +77,12 @@ TEST_F(Pair_threads, find_the_same)
 // Each thread has a corridor of its own.
 TEST_F(Pair_threads, find_the_same_in_corridors)
 {
-  AG::Surface_mesh_shortest_path<Mesh, Saddle_vertex_graph> paths(m_mesh);
-  const std::vector<double> expected = paths.distances(m_pairs);
-  paths.prepare_pairs(2);
+  const AG::Surface_mesh_shortest_path<Mesh, Saddle_vertex_graph> paths(m_mesh);
+  AG::Pair_queries queries(paths);
+  const std::vector<double> expected = queries.distances(m_pairs);
+  queries.prepare(2);
   for_each_number_of_threads([&](const auto& tag) {
-    EXPECT_TRUE(have_same_bits(paths.distances(m_pairs, tag), expected));
+    EXPECT_TRUE(have_same_bits(queries.distances(m_pairs, tag), expected));
   });
 }
 
@@ -114,6 +117,7 @@ struct Ending_visitor : AG::Distance_matrix_visitor_base
 TEST_F(Pair_threads, end_if_a_visitor_wants_it)
 {
   const AG::Surface_mesh_shortest_path<Mesh> paths(m_mesh);
+  const AG::Pair_queries queries(paths);
   for_each_number_of_threads([&](const auto& tag) {
     for(const std::size_t last : {0u, 1u, 100u})
     {
@@ -123,7 +127,7 @@ TEST_F(Pair_threads, end_if_a_visitor_wants_it)
       EXPECT_THROW(compute(found, tag.visitor(std::ref(failing))), Ending_visitor::Failure);
       EXPECT_TRUE(found.empty());
       stopping.number_of_questions = stopping.number_done = 0;
-      EXPECT_TRUE(paths.paths(m_pairs, tag.visitor(std::ref(stopping))).empty());
+      EXPECT_TRUE(queries.paths(m_pairs, tag.visitor(std::ref(stopping))).empty());
       EXPECT_TRUE(compute(found, tag.visitor(std::ref(late))));
       EXPECT_EQ(found.size(), m_pairs.size());
       EXPECT_EQ(late.number_done, late.number_of_questions); // one for each source

@@ -13,6 +13,7 @@
 
 #include <CGAL/Approximate_geodesics/Mesh/Triangulation_builder.h>
 #include <CGAL/Approximate_geodesics/Surface/Intrinsic_triangulation.h>
+#include <CGAL/Geodesic_costs.h>
 
 #include <algorithm>
 #include <cmath>

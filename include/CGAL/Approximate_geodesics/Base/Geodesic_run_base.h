@@ -163,6 +163,14 @@ constexpr bool is_valid(const F& /* expression */)
   return std::is_invocable_r_v<Result, const F&, T>;
 }
 
+// Whether a class is defined, and not only declared. The core declares templates that the packages
+// on it define; where it uses one, it checks that the header of the package is included.
+template <typename T, typename = void>
+constexpr bool is_defined = false;
+
+template <typename T>
+constexpr bool is_defined<T, std::void_t<decltype(sizeof(T))>> = true;
+
 } // namespace internal
 } // namespace CGAL::Approximate_geodesics
 

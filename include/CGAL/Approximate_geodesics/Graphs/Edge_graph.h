@@ -9,7 +9,6 @@
 #include <CGAL/license/Approximate_geodesics.h>
 
 #include <CGAL/Approximate_geodesics/Base/Arc_lengths.h>
-#include <CGAL/Approximate_geodesics/Graphs/internal/Star_groups.h>
 #include <CGAL/Approximate_geodesics/Graphs/internal/graph_parameters.h>
 #include <CGAL/Approximate_geodesics/Surface/Intrinsic_point.h>
 #include <CGAL/Approximate_geodesics/Surface/Intrinsic_triangulation.h>
@@ -32,11 +31,10 @@ namespace CGAL::Approximate_geodesics {
  * are its adjacency arrays.
  *
  * An object of this class never changes after its construction and may be used by several threads.
- * A node and its neighbors are a group, see `GeodesicGraph`.
  *
  * \cgalModels{SurfaceGraph}
  */
-class Edge_graph : public internal::Star_groups<Edge_graph>
+class Edge_graph
 {
 public:
   /// the number of a node; that of the vertex it stands for.

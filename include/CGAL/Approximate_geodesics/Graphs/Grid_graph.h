@@ -23,6 +23,7 @@
 #include <CGAL/Approximate_geodesics/Graphs/internal/Grid/Slope_costs.h>
 #include <CGAL/Approximate_geodesics/Graphs/internal/Grid/read_cells.h>
 #include <CGAL/Approximate_geodesics/Graphs/internal/graph_parameters.h>
+#include <CGAL/Approximate_geodesics/Search/internal/Free_ways.h>
 
 #include <algorithm>
 #include <array>

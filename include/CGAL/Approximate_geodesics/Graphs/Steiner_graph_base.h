@@ -10,9 +10,11 @@
 
 #include <CGAL/Approximate_geodesics/Base/Arc_lengths.h>
 #include <CGAL/Approximate_geodesics/Graphs/internal/Steiner/Free_lengths.h>
-#include <CGAL/Approximate_geodesics/Graphs/internal/Steiner/Nodes_beside.h>
 #include <CGAL/Approximate_geodesics/Graphs/internal/Steiner/Steiner_groups.h>
 #include <CGAL/Approximate_geodesics/Graphs/internal/Steiner/Steiner_nodes.h>
+#include <CGAL/Approximate_geodesics/Paths/internal/free_ends.h>
+#include <CGAL/Approximate_geodesics/Search/internal/Free_ways.h>
+#include <CGAL/Approximate_geodesics/Search/internal/continued_runs.h>
 #include <CGAL/Approximate_geodesics/Surface/Intrinsic_point.h>
 #include <CGAL/Approximate_geodesics/Surface/Intrinsic_triangulation.h>
 #include <CGAL/Approximate_geodesics/Surface/Lines_in_faces.h>
@@ -271,11 +273,19 @@ public:
     }
   }
 
-  // Calls `f(node, cost, foot)` for the nodes beside the segment to `end`.
-  template <typename F, typename OnSample>
-  void for_each_node_beside(const Intrinsic_point& end, F f, OnSample /* on_sample */) const
+  // Calls `f(node, part)` for the node at the source of a side of a face, and for those inside the
+  // side, which are at a part of the way to its target.
+  template <typename F>
+  void for_each_node_on_side(const Index side, F f) const
   {
-    internal::for_each_node_beside(m_triangulation, m_nodes, m_costs, m_point, end, f);
+    f(m_nodes.at_corner(m_triangulation.source(side), side), 0.);
+    m_nodes.for_each_node_on_edge(side, f);
+  }
+
+  // The cost of a line in the face to the left of `h`, whose source is the origin.
+  double cost_across(const Index h, const Plane_vector line) const
+  {
+    return m_costs.across(h, line);
   }
 
 private:

@@ -8,13 +8,10 @@
 
 #include <CGAL/license/Approximate_geodesics.h>
 
-#include <CGAL/Approximate_geodesics/Base/internal/Slope_limit.h>
-#include <CGAL/Approximate_geodesics/Mesh/cost_functions.h>
-#include <CGAL/Approximate_geodesics/Mesh/internal/cost_formulas.h>
+#include <CGAL/Approximate_geodesics/Base/Geodesic_run_base.h>
+#include <CGAL/Approximate_geodesics/Mesh/internal/Mesh_links.h>
 #include <CGAL/Approximate_geodesics/Mesh/internal/edge_lengths.h>
-#include <CGAL/Approximate_geodesics/Mesh/read_face_weights.h>
 #include <CGAL/Approximate_geodesics/Surface/Intrinsic_triangulation.h>
-#include <CGAL/property_map.h>
 
 #include <cstddef>
 #include <utility>
@@ -167,19 +164,16 @@ private:
 };
 
 /*
- * Builds an `Intrinsic_triangulation` from a mesh: reads and validates connectivity, lengths,
- * weights and barriers.
+ * Builds an `Intrinsic_triangulation` from a mesh: reads and validates connectivity and lengths,
+ * and has costs read.
  */
 template <typename TriangleMesh, typename NamedParameters>
 class Triangulation_builder
 {
   using Graph_traits = boost::graph_traits<TriangleMesh>;
 
-  static constexpr bool needs_halfedges = is_any_given<NamedParameters,
-                                                       internal_np::edge_length_t,
-                                                       internal_np::face_weight_t,
-                                                       internal_np::max_slope_t,
-                                                       internal_np::edge_is_constrained_t>;
+  static constexpr bool needs_halfedges =
+      has_costs<NamedParameters> || is_given<NamedParameters, internal_np::edge_length_t>;
 
 public:
   Triangulation_builder(Intrinsic_triangulation& triangulation,
@@ -205,8 +199,7 @@ public:
     check_for_interruption();
     copy_lengths();
     check_for_interruption();
-    copy_weights();
-    copy_barriers();
+    copy_costs();
     free_memory();
     CGAL_expensive_postcondition(m_result.is_valid());
     return true;
@@ -217,8 +210,7 @@ public:
   // mesh. Returns false if the connectivity is invalid, or vertices were removed.
   bool try_to_build_edges()
   {
-    static_assert(!is_any_given<NamedParameters, internal_np::face_weight_t,
-                                internal_np::max_slope_t, internal_np::edge_is_constrained_t>);
+    static_assert(!has_costs<NamedParameters>);
     Vertex_adjacency adjacency;
     if(!read(adjacency))
       return false;
@@ -316,48 +308,14 @@ private:
       m_result.m_thin_faces = thin_faces(lengths.sharp_corners, lengths.points, m_result, m_loop);
   }
 
-  void copy_weights()
+  void copy_costs()
   {
-    if constexpr(has_directional_cost<NamedParameters>)
+    if constexpr(has_costs<NamedParameters>)
     {
-      static_assert(!is_given<NamedParameters, internal_np::edge_length_t>,
-                    "directional_cost, max_slope, edge_length_map: costs by direction require the "
-                    "lengths of the embedding, which is given by the vertex point map");
-      const auto& cost = cost_function();
-      const auto point_map = vertex_point_map(m_mesh, m_np);
-      m_result.m_gauges = Gauge_reader(m_mesh, m_halfedges, point_map, cost, m_result)
-                              .read(slope_limit(m_np), sampling_tolerance(m_np));
-    }
-    else if constexpr(is_given<NamedParameters, internal_np::face_weight_t>)
-      m_result.set_weights(
-          weights_of_faces(m_mesh, m_halfedges,
-                           parameters::get_parameter(m_np, internal_np::face_weight), m_result));
-  }
-
-  // Returns a function of faces and directions; without one, that of weights, or of lengths.
-  decltype(auto) cost_function() const
-  {
-    if constexpr(has_cost_function<NamedParameters>)
-      return parameters::get_parameter_reference(m_np, internal_np::face_weight);
-    else if constexpr(is_given<NamedParameters, internal_np::face_weight_t>)
-      return Weight_cost(parameters::get_parameter(m_np, internal_np::face_weight));
-    else
-      return Weight_cost(Constant_property_map<typename Graph_traits::face_descriptor, double>(1));
-  }
-
-  void copy_barriers()
-  {
-    if constexpr(is_given<NamedParameters, internal_np::edge_is_constrained_t>)
-    {
-      const auto is_constrained = parameters::get_parameter(m_np, internal_np::edge_is_constrained);
-      std::vector<bool> is_barrier(m_halfedges.size());
-      bool has_any = false;
-      for(Index h = 0; h < m_halfedges.size(); ++h)
-        if(!is_border(edge(m_halfedges[h], m_mesh), m_mesh) &&
-           get(is_constrained, edge(m_halfedges[h], m_mesh)))
-          is_barrier[h] = has_any = true;
-      if(has_any)
-        m_result.m_is_barrier = std::move(is_barrier);
+      using Reader = Cost_reader<TriangleMesh, NamedParameters>;
+      check_costs<NamedParameters, is_defined<Reader>>();
+      if constexpr(is_defined<Reader>)
+        Reader(m_result, m_mesh, m_halfedges, m_np).read();
     }
   }
 

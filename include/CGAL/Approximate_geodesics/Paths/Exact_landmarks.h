@@ -8,14 +8,11 @@
 
 #include <CGAL/license/Approximate_geodesics.h>
 
-#include <CGAL/Approximate_geodesics/Base/internal/Corridor.h>
 #include <CGAL/Approximate_geodesics/Base/internal/named_parameters.h>
 #include <CGAL/Approximate_geodesics/Paths/Landmarks.h>
-#include <CGAL/Approximate_geodesics/Surface/Intrinsic_point.h>
 #include <CGAL/tags.h>
 
 #include <cstddef>
-#include <memory>
 #include <type_traits>
 
 namespace CGAL::Approximate_geodesics {
@@ -26,24 +23,6 @@ namespace internal {
 template <typename Graph>
 constexpr bool can_stay_in_corridor =
     is_valid<const Graph&>([](auto& g) -> typename std::decay_t<decltype(g)>::Approximation* {});
-
-template <typename Landmarks>
-class Corridors_by_approximation;
-
-// Finds the corridors of exact searches. An object is for one thread.
-class Corridor_finder
-{
-public:
-  virtual ~Corridor_finder() = default;
-
-  // Returns the corridor of the paths from a source to a target, which refers to this object, and
-  // is valid until the next call. It is not known if it is not worth it. Where the target cannot be
-  // reached, its length is 0.
-  virtual Corridor find(const Intrinsic_point& source, const Intrinsic_point& target) = 0;
-
-  // Returns the number of bytes.
-  virtual std::size_t memory() const = 0;
-};
 
 } // namespace internal
 
@@ -59,9 +38,9 @@ public:
  * \ref AG_pairs of the user manual compares times, and the report \cgalCite{ag-report} proves that
  * the result is that of a search of the whole surface.
  *
- * An object is made once for a graph, which is worth it for many pairs.
- * `Surface_search::use_landmarks()` and `Surface_mesh_shortest_path::prepare_pairs()` use it. It
- * never changes after its construction, and may be used by several threads.
+ * An object is made once for a graph, which is worth it for many pairs. `Guided_search` and
+ * `Pair_queries` use it. It never changes after its construction, and may be used by several
+ * threads.
  *
  * \tparam SurfaceGraph a model of `SurfaceGraph` that is exact, with the type of a graph with a
  *         bound: `Saddle_vertex_graph`
@@ -115,13 +94,6 @@ public:
 
   /// returns the number of bytes of both.
   std::size_t memory() const { return internal::memory_of(m_approximation, m_landmarks); }
-
-  /// \cond SKIP_IN_MANUAL
-
-  // Returns a workspace, which refers to this object.
-  std::unique_ptr<internal::Corridor_finder> make_finder() const;
-
-  /// \endcond
 
 private:
   static Approximation approximation_of(const SurfaceGraph& graph)

@@ -37,9 +37,8 @@ namespace CGAL::Approximate_geodesics {
  * \cgalCite{gw-cppspem-05}.
  *
  * An object is made once for a graph, which is worth it for many pairs: it takes two searches of
- * the whole graph for each landmark. `Surface_search::use_landmarks()` and
- * `Surface_mesh_shortest_path::prepare_pairs()` use it. All landmarks are in the largest connected
- * part of the graph; pairs elsewhere are found as without them.
+ * the whole graph for each landmark. `Guided_search` and `Pair_queries` use it. All landmarks are
+ * in the largest connected part of the graph; pairs elsewhere are found as without them.
  *
  * Arcs may go one way only. Bounds that need the way back are used if it is known: the constructor
  * compares the distances with `asymmetry()` of the graph, arc by arc. There are none for nodes that

@@ -9,14 +9,15 @@
 #include <CGAL/license/Approximate_geodesics.h>
 
 #include <CGAL/Approximate_geodesics/Base/internal/messages.h>
-#include <CGAL/Approximate_geodesics/Paths/Exact_landmarks.h>
 #include <CGAL/Approximate_geodesics/Paths/Path.h>
 #include <CGAL/Approximate_geodesics/Paths/internal/surface_graph.h>
+#include <CGAL/Approximate_geodesics/Paths/internal/tree_paths.h>
 #include <CGAL/Approximate_geodesics/Surface/Intrinsic_point.h>
 #include <CGAL/Approximate_geodesics/Surface/Intrinsic_triangulation.h>
 
 #include <algorithm>
 #include <cstddef>
+#include <limits>
 #include <numeric>
 #include <tuple>
 #include <utility>
@@ -68,7 +69,7 @@ public:
 
   // Searches from the start of a group until the distances of all its ends are final, and sets
   // `results[i]` to `find(search, end)` for each of its pairs. Landmarks guide a search to each
-  // end: as they may change its distance, this must not depend on the other ones.
+  // end.
   template <typename SurfaceSearch, typename Find, typename Result>
   void find(SurfaceSearch& search,
             const std::size_t group,
@@ -76,19 +77,23 @@ public:
             const Find& find,
             std::vector<Result>& results) const
   {
-    const Intrinsic_point& start = this->start(m_order[m_first[group]]);
-    const bool is_guided = has_guided_runs(search, m_first[group + 1] - m_first[group]);
+    const std::size_t first = m_first[group], beyond = m_first[group + 1];
+    const Intrinsic_point& start = this->start(m_order[first]);
+    bool is_guided = false;
+    if constexpr(can_be_guided<SurfaceSearch>)
+      is_guided = search.guides_to_each_of(beyond - first);
     if(!is_guided)
     {
       typename SurfaceSearch::Stop_rule stop{maximum_distance};
-      for(std::size_t i = m_first[group]; i < m_first[group + 1]; ++i)
+      for(std::size_t i = first; i < beyond; ++i)
         stop.targets.push_back(end(m_order[i]));
       search.run({{start}}, stop);
     }
-    for(std::size_t i = m_first[group]; i < m_first[group + 1]; ++i)
+    for(std::size_t i = first; i < beyond; ++i)
     {
-      if(is_guided)
-        search.run_to(end(m_order[i]), {{start}}, {}, maximum_distance);
+      if constexpr(can_be_guided<SurfaceSearch>)
+        if(is_guided)
+          search.run_to(end(m_order[i]), {{start}}, {}, maximum_distance);
       results[m_order[i]] = find(search, end(m_order[i]));
     }
   }
@@ -104,15 +109,10 @@ public:
   }
 
 private:
-  // Whether pairs with so many ends are found by a guided run to each of them. Exact distances are
-  // the same, to the last bit, and one run to all ends takes as long as about ten that are guided.
+  // Whether this is a `Guided_search`.
   template <typename SurfaceSearch>
-  static bool has_guided_runs(const SurfaceSearch& search, const std::size_t number_of_ends)
-  {
-    constexpr std::size_t most_of_exact = 8;
-    return search.uses_landmarks() && (number_of_ends <= most_of_exact ||
-                                       !can_stay_in_corridor<typename SurfaceSearch::Graph>);
-  }
+  static constexpr bool can_be_guided =
+      is_valid<const SurfaceSearch&>([](auto& search) -> decltype(search.uses_landmarks()) {});
 
   const Intrinsic_point& start(const std::size_t pair) const
   {
@@ -156,16 +156,71 @@ std::pair<double, double> distance_interval(const SurfaceSearch& search,
                              (std::min)(distance, maximum_distance), distance);
 }
 
-// Returns a path that a search has found as one from the source to the target of a pair.
-template <typename SurfaceGraph>
-Path from_source_to_target(const SurfaceGraph& graph, Path path)
+} // namespace internal
+
+/*!
+ * \ingroup PkgGeodesicQueriesPairs
+ *
+ * returns the distance from the source to the target of each pair, infinity if there is no path.
+ *
+ * A search from the source of a pair ends at its target, or the other way around if distances are
+ * those to the sources of a search. One search serves all pairs with the same start. If landmarks
+ * guide it, each pair has its own, unless distances are exact and there are more than eight such
+ * pairs. So results do not depend on other pairs.
+ *
+ * \tparam SurfaceSearch `Surface_search` or `Guided_search`
+ *
+ * \param search a workspace, whose last run is lost
+ * \param pairs the pairs; results have their order
+ * \param maximum_distance points farther than this, in the unit of the mesh, are not reached
+ *
+ * \throws std::invalid_argument if a point is not a point of the surface.
+ *
+ * \sa `approximate_geodesic_pair_distances()`, which does the same by several threads
+ */
+template <typename SurfaceSearch>
+std::vector<double>
+pair_distances(SurfaceSearch& search,
+               const std::vector<Point_pair>& pairs,
+               const double maximum_distance = std::numeric_limits<double>::infinity())
 {
-  if(!leads_to_sources(graph))
-    std::reverse(path.points.begin(), path.points.end());
-  return path;
+  return internal::Pairs_by_start(search.graph(), pairs)
+      .find_all(search, maximum_distance,
+                [](const SurfaceSearch& s, const Intrinsic_point& p) { return s.distance(p); });
 }
 
-} // namespace internal
+/// \ingroup PkgGeodesicQueriesPairs
+/// does the same as `pair_distances()`, and returns intervals that contain the distances on the
+/// surface. Their margins are those of `distance_intervals()`, and a relative 2.4e-7 if the error
+/// bound is not `0`, as arcs may be stored in single precision. Without an error bound, they begin
+/// with `0`.
+template <typename SurfaceSearch>
+std::vector<std::pair<double, double>>
+pair_intervals(SurfaceSearch& search,
+               const std::vector<Point_pair>& pairs,
+               const double maximum_distance = std::numeric_limits<double>::infinity())
+{
+  return internal::Pairs_by_start(search.graph(), pairs)
+      .find_all(search, maximum_distance, [&](const SurfaceSearch& s, const Intrinsic_point& p) {
+        return internal::distance_interval(s, p, maximum_distance);
+      });
+}
+
+/// \ingroup PkgGeodesicQueriesPairs
+/// does the same as `pair_distances()`, and returns shortest paths from sources to targets; a path
+/// has no points if there is none.
+template <typename SurfaceSearch>
+std::vector<Path>
+pair_paths(SurfaceSearch& search,
+           const std::vector<Point_pair>& pairs,
+           const double maximum_distance = std::numeric_limits<double>::infinity())
+{
+  return internal::Pairs_by_start(search.graph(), pairs)
+      .find_all(search, maximum_distance, [](const SurfaceSearch& s, const Intrinsic_point& p) {
+        return internal::from_source_to_target(s.graph(), s.find_path(p));
+      });
+}
+
 } // namespace CGAL::Approximate_geodesics
 
 #endif // CGAL_APPROXIMATE_GEODESICS_PATHS_POINT_PAIRS_H

@@ -12,7 +12,6 @@
 #include <CGAL/Approximate_geodesics/Base/internal/binary_io.h>
 #include <CGAL/Approximate_geodesics/Base/internal/messages.h>
 #include <CGAL/Approximate_geodesics/Base/internal/named_parameters.h>
-#include <CGAL/Approximate_geodesics/Paths/Surface_search.h>
 #include <CGAL/Approximate_geodesics/Paths/internal/Portals/Portal_builder.h>
 #include <CGAL/Approximate_geodesics/Paths/internal/Portals/Portal_file.h>
 #include <CGAL/Approximate_geodesics/Paths/internal/Portals/Portal_tables.h>
@@ -168,8 +167,9 @@ public:
    * or infinity if there is no path. It may be smaller than the distance if there is a path that is
    * shorter since arcs lead back.
    *
-   * If the interval does not prove that, `search` finds the distance. It is led by landmarks if it
-   * uses some.
+   * If the interval does not prove that, `search` finds the distance.
+   *
+   * \tparam SurfaceSearch `Surface_search` or `Guided_search`
    *
    * \param source the vertex where paths start
    * \param target the vertex where they end
@@ -180,11 +180,8 @@ public:
    * \throws std::invalid_argument if a vertex does not exist, if `ratio` is negative or not a
    *         number, or if the search is one of another graph.
    */
-  template <typename PriorityQueue>
-  double distance(Node source,
-                  Node target,
-                  double ratio,
-                  Surface_search<SurfaceGraph, PriorityQueue>& search) const;
+  template <typename SurfaceSearch>
+  double distance(Node source, Node target, double ratio, SurfaceSearch& search) const;
 
   /*!
    * writes the labels to a binary stream: 6 bytes per label, 2 to 4 per distance in a table, and
@@ -270,12 +267,11 @@ private:
 };
 
 template <typename SurfaceGraph>
-template <typename PriorityQueue>
-double
-Portal_labels<SurfaceGraph>::distance(const Node source,
-                                      const Node target,
-                                      const double ratio,
-                                      Surface_search<SurfaceGraph, PriorityQueue>& search) const
+template <typename SurfaceSearch>
+double Portal_labels<SurfaceGraph>::distance(const Node source,
+                                             const Node target,
+                                             const double ratio,
+                                             SurfaceSearch& search) const
 {
   if(!(ratio >= 0))
     internal::reject("the ratio is " + internal::text_of(ratio) +

@@ -8,18 +8,14 @@
 
 #include <CGAL/license/Approximate_geodesics.h>
 
-#include <CGAL/Approximate_geodesics/Paths/Exact_landmarks.h>
-#include <CGAL/Approximate_geodesics/Paths/Landmarks.h>
 #include <CGAL/Approximate_geodesics/Paths/Path.h>
-#include <CGAL/Approximate_geodesics/Paths/Point_pairs.h>
+#include <CGAL/Approximate_geodesics/Paths/Source_point.h>
 #include <CGAL/Approximate_geodesics/Paths/Vertex_positions.h>
-#include <CGAL/Approximate_geodesics/Paths/internal/Curve_sources.h>
-#include <CGAL/Approximate_geodesics/Paths/internal/free_ends.h>
+#include <CGAL/Approximate_geodesics/Paths/internal/Sources.h>
 #include <CGAL/Approximate_geodesics/Paths/internal/surface_graph.h>
 #include <CGAL/Approximate_geodesics/Paths/internal/tree_paths.h>
 #include <CGAL/Approximate_geodesics/Search/Propagation.h>
 #include <CGAL/Approximate_geodesics/Search/Propagation_types.h>
-#include <CGAL/Approximate_geodesics/Surface/Intrinsic_curve.h>
 #include <CGAL/Approximate_geodesics/Surface/Intrinsic_point.h>
 #include <CGAL/Approximate_geodesics/Surface/Intrinsic_triangulation.h>
 
@@ -27,25 +23,10 @@
 #include <cmath>
 #include <cstddef>
 #include <limits>
-#include <memory>
 #include <utility>
 #include <vector>
 
 namespace CGAL::Approximate_geodesics {
-
-/*!
- * \ingroup PkgApproximateGeodesicsSearch
- *
- * A point where a search on a surface starts.
- */
-struct Source_point
-{
-  /// the point.
-  Intrinsic_point point;
-
-  /// the initial distance, in the unit of the mesh: finite and not negative.
-  double distance = 0;
-};
 
 /*!
  * \ingroup PkgApproximateGeodesicsSearch
@@ -157,29 +138,22 @@ public:
            const Stop_rule& stop = Stop_rule(),
            Visitor&& visitor = Visitor());
 
-  /*!
-   * does the same for curves and sets of faces, whose indices are those of the sources. Distances
-   * are those to the nearest point of a curve: exact in a `Saddle_vertex_graph`, and else with the
-   * bound that the graph has for points.
-   *
-   * \throws std::invalid_argument as `run()` does; if two consecutive points of a polyline are not
-   *         in the same face; if costs depend on the direction; or if `Graph` does not support
-   *         curves, as `SurfaceGraph` says.
-   *
-   * Run time is that of `run()`, and for each point of a polyline that of attaching a few points.
-   */
+  /// \cond SKIP_IN_MANUAL
+  using Sources = internal::Attached_sources<Search, Answer>;
+
+  // Does the same for sources of another kind.
   template <typename Visitor = Geodesic_visitor_base>
-  void run_from_curves(std::vector<Intrinsic_curve> curves,
-                       const Stop_rule& stop = Stop_rule(),
-                       Visitor&& visitor = Visitor());
+  void run_from(std::unique_ptr<Sources> sources,
+                const Stop_rule& stop = Stop_rule(),
+                Visitor&& visitor = Visitor());
+  /// \endcond
 
   /*!
    * forgets the last run, and computes the distance from the nearest of the sources to `target`
    * only. Afterwards, only `target` may be queried.
    *
-   * The run ends when that distance is final. If there are landmarks, or positions are known, it is
-   * guided to the target by their lower bounds, or by straight-line distances (A* algorithm
-   * \cgalCite{hnr-fbhdm-68}).
+   * The run ends when that distance is final. If positions are known, it is guided to the target by
+   * straight-line distances (A* algorithm \cgalCite{hnr-fbhdm-68}).
    *
    * \throws std::invalid_argument as `run()` does.
    */
@@ -189,29 +163,29 @@ public:
               double maximum_distance = std::numeric_limits<double>::infinity());
 
   /*!
+   * does the same, guided by other lower bounds of the distance to `target`.
+   *
+   * \param target the target
+   * \param sources where to start
+   * \param heuristic a model of `AStarHeuristic`, as for `Propagation::run_toward()`
+   * \param maximum_distance points farther than this, in the unit of the mesh, are not reached
+   *
+   * \throws std::invalid_argument as `run()` does.
+   */
+  template <typename AStarHeuristic>
+  void run_toward(const Intrinsic_point& target,
+                  std::vector<Source_point> sources,
+                  const AStarHeuristic& heuristic,
+                  double maximum_distance = std::numeric_limits<double>::infinity());
+
+  /*!
    * does the same as `run(sources)`, and takes the time that the difference from the last run is
    * worth: the graph may have changed by `set_weights(changes)` since then, and sources may have
-   * been added, removed or moved. See `Propagation::repair()`.
+   * been added, removed or moved. See `Propagation::repair()`, which also says what to include.
    *
    * \throws std::invalid_argument as `run()` does.
    */
   void repair(std::vector<Source_point> sources);
-
-  /// guides runs to a single target from now on, and those for pairs, by the landmarks of the same
-  /// graph, as long as its arcs do not change. Those of an exact graph are `Exact_landmarks`; they
-  /// guide runs from a single source whose initial distance is `0`, by two searches of another
-  /// graph. The last run is forgotten then. \warning `landmarks` are referred to, not copied.
-  /// \throws std::invalid_argument if they are those of another graph.
-  void use_landmarks(const internal::Landmarks_of<Graph>& landmarks);
-
-  /// temporary landmarks would not live long enough.
-  void use_landmarks(const internal::Landmarks_of<Graph>&& landmarks) = delete;
-
-  /// returns whether runs to a single target are guided by landmarks.
-  bool uses_landmarks() const
-  {
-    return m_corridors || (m_landmarks != nullptr && m_landmarks->are_valid());
-  }
 
   /// must be called after all weights of the graph have been exchanged. Results are forgotten. Run
   /// time is \cgalBigO{n} for `n` nodes.
@@ -237,8 +211,8 @@ public:
   /// Like `Propagation::source()`, it fills a cache.
   std::size_t source(const Node node) const
   {
-    const std::size_t result = m_search.source(node);
-    return m_curves.is_empty() || result == null_source ? result : m_curves.foot(result).curve;
+    const std::size_t foot = m_search.source(node);
+    return foot == null_source ? foot : attached().source(foot);
   }
 
   /// returns the distance from the nearest source to `point`, in the unit of the mesh; infinity if
@@ -271,43 +245,16 @@ public:
     return distance <= m_maximum_distance && m_search.is_final(distance);
   }
 
-  /// returns the sources; none if they are curves.
-  const std::vector<Source_point>& sources() const { return m_sources; }
+  /// returns the sources; none if they are not points.
+  const std::vector<Source_point>& sources() const { return m_points.points(); }
 
-  /// returns the sources that are curves.
-  const std::vector<Intrinsic_curve>& curves() const { return m_curves.curves(); }
+  /// returns the initial distance of the source with this index, in the unit of the mesh.
+  double initial_distance(const std::size_t source) const { return attached().distance(source); }
 
-  /// @}
-
-  /*!
-   * \name Pairs
-   *
-   * These functions find each pair by a search from its source that ends at its target, or the
-   * other way around if distances are those to the sources. One search serves all pairs with the
-   * same start; with landmarks, which guide to single targets, each pair has its own, unless
-   * distances are exact and there are more than eight such pairs. So results do not depend on other
-   * pairs. They have the order of the pairs; those of the last run are lost.
-   *
-   * They throw `std::invalid_argument` if a point is not a point of the surface.
-   * `approximate_geodesic_pair_distances()` does the same by several threads.
-   */
-  /// @{
-
-  /// returns the distance from the source to the target of each pair, infinity if there is no path.
-  std::vector<double> distances(const std::vector<Point_pair>& pairs,
-                                double maximum_distance = std::numeric_limits<double>::infinity());
-
-  /// returns an interval that contains the distance on the surface, for each pair. Its margins are
-  /// those of `distance_intervals()`, and a relative 2.4e-7 if the error bound is not `0`, as arcs
-  /// may be stored in single precision. Without an error bound, it begins with `0`.
-  std::vector<std::pair<double, double>>
-  distance_intervals(const std::vector<Point_pair>& pairs,
-                     double maximum_distance = std::numeric_limits<double>::infinity());
-
-  /// returns a shortest path from the source to the target of each pair; it has no points if there
-  /// is none.
-  std::vector<Path> paths(const std::vector<Point_pair>& pairs,
-                          double maximum_distance = std::numeric_limits<double>::infinity());
+  /// \cond SKIP_IN_MANUAL
+  // Returns the sources that are not points; a null pointer if there are none.
+  const Sources* other_sources() const { return m_others.get(); }
+  /// \endcond
 
   /// @}
 
@@ -320,51 +267,38 @@ public:
   /// returns the search for distances of nodes, with its results and statistics.
   const Search& search() const { return m_search; }
 
-  /// returns the number of bytes of that search, and of the one that guides it to single targets.
-  std::size_t memory() const;
+  /// returns the number of bytes of that search.
+  std::size_t memory() const { return m_search.memory(); }
 
   /// @}
 
-private:
-  template <typename Landmarks>
-  friend class internal::Corridors_by_approximation;
+  /// \cond SKIP_IN_MANUAL
 
-  // Checks the sources, and sorts them by face.
-  Points_by_face sorted(const std::vector<Source_point>& sources) const
+  // Calls `run(search, seeds, rule, entries)`, which runs the search for distances of nodes in a
+  // way of its own, from the nodes and to the rule that `sources` and `stop` are translated to.
+  template <typename F>
+  void run_by(std::vector<Source_point> sources, const Stop_rule& stop, const F& run)
   {
-    std::vector<Intrinsic_point> points;
-    points.reserve(sources.size());
-    for(const Source_point& s : sources)
-    {
-      check(s.point);
-      internal::check_initial_distance(s.distance, points.size());
-      points.push_back(s.point);
-    }
-    return Points_by_face(m_graph->triangulation(), std::move(points));
+    run_and_adopt(attached(std::move(sources)), stop,
+                  [&](const auto& seeds, const auto& rule, const auto& entries) {
+                    run(m_search, seeds, rule, entries);
+                  });
   }
 
+  /// \endcond
+
+private:
+  using Points = internal::Point_sources<Search, Answer>;
   using Run = typename Search::Run;
 
-  // Finds the ends of the lines from the sources if lines are found from labels. Otherwise, it is
-  // empty, and the search starts at the seeds.
-  typename Search::Find_entries
-  find_entries([[maybe_unused]] const std::vector<Source_point>& sources) const
+  // Checks the sources.
+  Points attached(std::vector<Source_point> sources) const
   {
-    if constexpr(!Run::attaches_by_labels)
-      return {};
-    else
-      return [&] {
-        std::vector<typename Search::Entry> result;
-        const double unit = m_graph->unit();
-        for(std::size_t i = 0; i < sources.size(); ++i)
-          m_search.graph_run().for_each_line_from(
-              sources[i].point, sources[i].distance / unit,
-              [&](const Node node, const double length, const typename Run::Payload& payload) {
-                result.push_back({{node, sources[i].distance + length * unit, i}, payload});
-              });
-        return result;
-      };
+    return Points(m_graph->triangulation(), std::move(sources));
   }
+
+  // The sources of the last run.
+  const Sources& attached() const { return m_others ? *m_others : m_points; }
 
   // As `nearest()`, without the source.
   Answer nearest_end(const Intrinsic_point& point, double longest) const;
@@ -379,19 +313,7 @@ private:
       const double largest = (std::min)({best.distance, m_maximum_distance, longest});
       if(point.is_vertex() || std::isinf(largest))
         return;
-      const auto look = [&](const auto& points, const auto& on_point) {
-        m_search.graph_run().for_each_line_to(
-            point, largest / m_graph->unit(), m_search.labels(), points,
-            [&](const Node node, const double length) { consider(node, length, best); }, on_point);
-      };
-      if(m_curves.is_empty())
-        look(m_points, [&](const std::size_t i, const double length) {
-          consider(m_sources, i, length, best);
-        });
-      else if constexpr(internal::has_curves<Graph>)
-        look(m_curves.segments(), [&](const std::size_t i, const double length, const double t) {
-          m_curves.consider(*m_graph, i, length, t, best);
-        });
+      attached().consider_lines_by_labels(m_search, point, largest / m_graph->unit(), best);
     }
   }
 
@@ -399,17 +321,14 @@ private:
   // fails: if the search rejects its input, nothing changes; after other exceptions, nothing is
   // reached, and there are no sources.
   template <typename F>
-  void run_and_adopt(std::vector<Source_point> sources,
-                     Points_by_face points,
-                     const Stop_rule& stop,
-                     F run)
+  void run_nodes(Sources& sources, const Stop_rule& stop, F run)
   {
-    const auto seeds = this->seeds(sources);
+    const auto seeds = sources.seeds(*m_graph);
     const auto rule = rule_for_nodes(stop);
     check(seeds, rule);
     try
     {
-      run(seeds, rule, find_entries(sources));
+      run(seeds, rule, sources.find_entries(m_search, seeds));
     }
     catch(...)
     {
@@ -417,21 +336,21 @@ private:
         forget();
       throw;
     }
-    m_sources = std::move(sources);
-    m_curves = internal::Curve_sources();
-    m_points = std::move(points);
     m_maximum_distance = stop.maximum_distance;
   }
 
-  bool run_in_corridor(const Intrinsic_point& target,
-                       const Intrinsic_point& source,
-                       double maximum_distance);
+  template <typename F>
+  void run_and_adopt(Points points, const Stop_rule& stop, F run)
+  {
+    run_nodes(points, stop, run);
+    m_points = std::move(points);
+    m_others = nullptr;
+  }
 
   void forget()
   {
-    m_sources.clear();
-    m_curves = internal::Curve_sources();
-    m_points = Points_by_face();
+    m_points = Points();
+    m_others = nullptr;
     m_maximum_distance = std::numeric_limits<double>::infinity();
   }
 
@@ -442,17 +361,6 @@ private:
              const typename Search::Stop_rule& rule) const
   {
     internal::check_input(seeds, rule, m_graph->number_of_nodes(), m_graph->unit());
-  }
-
-  std::vector<typename Search::Seed> seeds(const std::vector<Source_point>& sources) const
-  {
-    std::vector<typename Search::Seed> result;
-    for(std::size_t i = 0; i < sources.size(); ++i)
-      for(const auto& [node, length] : lines(m_graph->attach(sources[i].point)))
-        if(length < std::numeric_limits<double>::infinity())
-          result.push_back({node, sources[i].distance + length * m_graph->unit(), i});
-    internal::add_free_seeds(*m_graph, sources, result);
-    return result;
   }
 
   typename Search::Stop_rule rule_for_nodes(const Stop_rule& stop) const
@@ -474,47 +382,12 @@ private:
     return result;
   }
 
-  // The lines between an attached point and nodes, in units of the graph. They are listed, so that
-  // one instantiation of a graph's functions is enough.
+  // In units of the graph.
   template <typename Attachment>
   const std::vector<Last_arc>& lines(const Attachment& attachment) const
   {
-    m_lines.clear();
-    attachment.for_each_node([this](const Node node, const double length) {
-      m_lines.push_back({node, length});
-    });
+    internal::list_lines(attachment, m_lines);
     return m_lines;
-  }
-
-  Answer nearest_by_line(const Intrinsic_point& point,
-                         const std::vector<Source_point>& sources,
-                         const Points_by_face& points) const
-  {
-    Answer result;
-    if(!points.is_empty() && !point.is_vertex())
-      internal::attach_target(*m_graph, point)
-          .for_each_point(points, [&](const std::size_t i, const double length) {
-            consider(sources, i, length, result);
-          });
-    return result;
-  }
-
-  void consider(const std::vector<Source_point>& sources,
-                const std::size_t i,
-                const double length,
-                Answer& best) const
-  {
-    const double distance = sources[i].distance + length * m_graph->unit();
-    if(distance < best.distance)
-      best = {distance, i, Search::null_node, length, sources[i].point};
-  }
-
-  void consider(const Node node, const double length, Answer& best) const
-  {
-    const double distance = m_search.distance(node) + length * m_graph->unit();
-    if(distance < best.distance)
-      best = {distance, null_source, node, length,
-              Intrinsic_point::at_vertex(Intrinsic_triangulation::null_index)};
   }
 
   // Appends the line from the last point of the path to a node or point `to`, located at `end`.
@@ -546,12 +419,9 @@ private:
   }
 
   const Graph* m_graph;
-  const Landmarks<Graph>* m_landmarks = nullptr;
-  std::unique_ptr<internal::Corridor_finder> m_corridors; // if there are exact landmarks
   Search m_search;
-  std::vector<Source_point> m_sources;
-  Points_by_face m_points;          // of the sources
-  internal::Curve_sources m_curves; // sources of another kind; there are no others then
+  Points m_points;                         // the sources ...
+  std::unique_ptr<const Sources> m_others; // ... or those of another kind
   double m_maximum_distance = std::numeric_limits<double>::infinity();
   mutable std::vector<Last_arc> m_lines; // of the last point that was attached
 };
@@ -571,19 +441,34 @@ void Surface_search<SurfaceGraph, PriorityQueue>::run(std::vector<Source_point> 
                                                       const Stop_rule& stop,
                                                       Visitor&& visitor)
 {
-  Points_by_face points = sorted(sources);
-  run_and_adopt(std::move(sources), std::move(points), stop,
+  run_and_adopt(attached(std::move(sources)), stop,
                 [&](const auto& seeds, const auto& rule, const auto& entries) {
                   m_search.run(seeds, rule, visitor, entries);
                 });
 }
 
+/// \cond SKIP_IN_MANUAL
+
+template <typename SurfaceGraph, typename PriorityQueue>
+template <typename Visitor>
+void Surface_search<SurfaceGraph, PriorityQueue>::run_from(std::unique_ptr<Sources> sources,
+                                                           const Stop_rule& stop,
+                                                           Visitor&& visitor)
+{
+  run_nodes(*sources, stop, [&](const auto& seeds, const auto& rule, const auto& entries) {
+    m_search.run(seeds, rule, visitor, entries);
+  });
+  m_points = Points();
+  m_others = std::move(sources);
+}
+
+/// \endcond
+
 template <typename SurfaceGraph, typename PriorityQueue>
 void Surface_search<SurfaceGraph, PriorityQueue>::repair(std::vector<Source_point> sources)
 {
-  Points_by_face points = sorted(sources);
   Geodesic_visitor_base visitor;
-  run_and_adopt(std::move(sources), std::move(points), Stop_rule(),
+  run_and_adopt(attached(std::move(sources)), Stop_rule(),
                 [&](const auto& seeds, const auto& rule, const auto& entries) {
                   entries ? m_search.run(seeds, rule, visitor, entries) : m_search.repair(seeds);
                 });
@@ -596,28 +481,32 @@ void Surface_search<SurfaceGraph, PriorityQueue>::run_to(const Intrinsic_point& 
                                                          const double maximum_distance)
 {
   check(target);
-  Points_by_face points = sorted(sources);
-  if(m_corridors && sources.size() == 1 && sources.front().distance == 0 &&
-     run_in_corridor(target, sources.front().point, maximum_distance))
-    return;
-  const double limit =
-      (std::min)(maximum_distance, nearest_by_line(target, sources, points).distance);
   // Lines to a point that is not a vertex may be found from labels. All labels below its distance
   // must be final then, which A* does not guarantee.
   // Weights may be smaller than 1 since they have changed.
-  const bool is_guided = positions.are_known() && !m_graph->triangulation().has_weights() &&
-                         (!Run::attaches_by_labels || target.is_vertex());
-  run_and_adopt(std::move(sources), std::move(points), {limit, {target}},
+  if(positions.are_known() && !m_graph->triangulation().has_weights() &&
+     (!Run::attaches_by_labels || target.is_vertex()))
+    run_toward(target, std::move(sources),
+               internal::Euclidean_heuristic<Graph>(*m_graph, positions, target), maximum_distance);
+  else
+    run_toward(target, std::move(sources), internal::No_heuristic(), maximum_distance);
+}
+
+template <typename SurfaceGraph, typename PriorityQueue>
+template <typename AStarHeuristic>
+void Surface_search<SurfaceGraph, PriorityQueue>::run_toward(const Intrinsic_point& target,
+                                                             std::vector<Source_point> sources,
+                                                             const AStarHeuristic& heuristic,
+                                                             const double maximum_distance)
+{
+  check(target);
+  Points points = attached(std::move(sources));
+  Answer by_line;
+  points.consider_lines(*m_graph, target, by_line);
+  const double limit = (std::min)(maximum_distance, by_line.distance);
+  run_and_adopt(std::move(points), {limit, {target}},
                 [&](const auto& seeds, const auto& rule, const auto& entries) {
-                  if constexpr(internal::has_asymmetry<Graph>)
-                    if(uses_landmarks())
-                      return m_search.run_toward(seeds, rule, m_landmarks->to(target), entries);
-                  if(is_guided)
-                    m_search.run_toward(
-                        seeds, rule,
-                        internal::Euclidean_heuristic<Graph>(*m_graph, positions, target), entries);
-                  else
-                    m_search.run_toward(seeds, rule, internal::No_heuristic(), entries);
+                  m_search.run_toward(seeds, rule, heuristic, entries);
                 });
 }
 
@@ -635,14 +524,13 @@ auto Surface_search<SurfaceGraph, PriorityQueue>::nearest_end(const Intrinsic_po
                                                               const double longest) const -> Answer
 {
   check(point);
-  Answer result = nearest_by_line(point, m_sources, m_points);
-  if(!m_curves.is_empty())
-    m_curves.consider(*m_graph, point, result);
+  Answer result;
+  attached().consider_lines(*m_graph, point, result);
   if(point.is_vertex())
-    consider(point.vertex, 0, result);
+    Sources::consider(m_search, point.vertex, 0, result);
   else
     for(const auto& [node, length] : lines(internal::attach_target(*m_graph, point)))
-      consider(node, length, result);
+      Sources::consider(m_search, node, length, result);
   consider_lines(point, longest, result);
   return result;
 }
@@ -654,11 +542,13 @@ auto Surface_search<SurfaceGraph, PriorityQueue>::nearest(const Intrinsic_point&
   Answer result = nearest_end(point, longest);
   if(result.node != Search::null_node)
   {
-    internal::shorten_free_end(m_search, point, result);
-    result.source = source(result.node);
-    const std::size_t number = m_search.source(result.node);
-    if(number != null_source)
-      result.start = m_curves.is_empty() ? m_sources[number].point : m_curves.foot(number).point;
+    if constexpr(internal::tells_free_arcs<Graph>)
+      internal::Free_ends<Graph>::shorten(m_search, point, result);
+    if(const std::size_t foot = m_search.source(result.node); foot != null_source)
+    {
+      result.source = attached().source(foot);
+      result.start = attached().position(foot);
+    }
   }
   return is_known(result.distance) ? result : Answer();
 }
@@ -671,8 +561,7 @@ Path Surface_search<SurfaceGraph, PriorityQueue>::find_path(const Intrinsic_poin
   if(!answer.is_reached())
     return result;
   result.points.push_back(point);
-  const Source_point source{answer.start, m_curves.is_empty() ? m_sources[answer.source].distance
-                                                              : curves()[answer.source].distance};
+  const Source_point source{answer.start, initial_distance(answer.source)};
   if(answer.node == Search::null_node && source.point.is_same(point, m_graph->triangulation()))
     return result;
   if(answer.node == Search::null_node)
@@ -691,9 +580,5 @@ Path Surface_search<SurfaceGraph, PriorityQueue>::find_path(const Intrinsic_poin
 }
 
 } // namespace CGAL::Approximate_geodesics
-
-#include <CGAL/Approximate_geodesics/Paths/internal/find_corridors.h>
-#include <CGAL/Approximate_geodesics/Paths/internal/search_from_curves.h>
-#include <CGAL/Approximate_geodesics/Paths/internal/search_pairs.h>
 
 #endif // CGAL_APPROXIMATE_GEODESICS_PATHS_SURFACE_SEARCH_H

@@ -10,7 +10,6 @@
 
 #include <CGAL/Approximate_geodesics/Base/Arc_lengths.h>
 #include <CGAL/Approximate_geodesics/Base/internal/arrays.h>
-#include <CGAL/Approximate_geodesics/Queues/Queue_entry.h>
 #include <CGAL/Iterator_range.h>
 #include <CGAL/assertions.h>
 
@@ -25,6 +24,19 @@
 #include <vector>
 
 namespace CGAL::Approximate_geodesics {
+
+/*!
+ * \ingroup PkgApproximateGeodesicsOwnGraphs
+ *
+ * An entry of a queue: a node and its key.
+ */
+struct Queue_entry
+{
+  /// the key: a distance, in units of the graph.
+  double key;
+  /// the number of the node.
+  std::uint32_t node;
+};
 namespace internal {
 
 /*

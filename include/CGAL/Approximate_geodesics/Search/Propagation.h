@@ -12,14 +12,14 @@
 #include <CGAL/Approximate_geodesics/Queues/Adaptive_bucket_queue.h>
 #include <CGAL/Approximate_geodesics/Search/Propagation_types.h>
 #include <CGAL/Approximate_geodesics/Search/internal/Batch_relaxation.h>
-#include <CGAL/Approximate_geodesics/Search/internal/Free_ways.h>
-#include <CGAL/Approximate_geodesics/Search/internal/Repair.h>
+#include <CGAL/Approximate_geodesics/Search/internal/extensions.h>
 
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
 #include <functional>
 #include <limits>
+#include <memory>
 #include <utility>
 #include <vector>
 
@@ -97,6 +97,9 @@ class Propagation
 {
   static_assert(internal::Check_graph<GeodesicGraph>::is_done);
   static_assert(internal::Check_queue<PriorityQueue>::is_done);
+  static_assert(!internal::tells_free_arcs<GeodesicGraph> ||
+                    internal::is_defined<internal::Free_ways<GeodesicGraph>>,
+                "has_free_arcs() of the graph: include <CGAL/Geodesic_costs.h>");
 
 public:
   /// \name Types
@@ -241,17 +244,19 @@ public:
 
   /// \cond SKIP_IN_MANUAL
 
-  // Runs as `run()` does, in a part of the surface that the graph's `Run` knows how to stay in.
-  // Nodes outside, and those on no path to the goal that is short enough, may not be reached.
-  template <typename Corridor>
-  void run_within(Corridor corridor,
+  // Runs as `run()` does, in the corridor of short paths to a goal, in which the graph's `Run`
+  // knows how to stay: `to_goal` gives lower bounds of distances to the goal, in units of the
+  // graph. Nodes on no path to the goal within the maximum distance may not be reached. The
+  // function object is called by later queries, too.
+  template <typename LowerBound>
+  void run_within(LowerBound to_goal,
                   const std::vector<Seed>& seeds,
                   const Stop_rule& stop,
                   const Find_entries& find_entries)
   {
     check(seeds, stop);
     forget();
-    m_run.limit_to(std::move(corridor));
+    m_run.limit_to(std::move(to_goal));
     search(seeds, stop, Geodesic_visitor_base(), internal::No_heuristic(), find_entries);
   }
 
@@ -286,9 +291,16 @@ public:
    *        predecessor can be `null_node`.
    *
    * \throws std::invalid_argument if a distance is negative, infinite, or not a number.
+   *
+   * The header `CGAL/Geodesic_costs.h` has to be included.
    */
   template <typename EnterLabels>
-  void resume(const EnterLabels& enter_labels);
+  void resume(const EnterLabels& enter_labels)
+  {
+    static_assert(internal::can_continue<Propagation>, "resume(): include <CGAL/Geodesic_costs.h>");
+    if constexpr(internal::can_continue<Propagation>)
+      internal::Continued_run<Propagation>(*this).resume(enter_labels);
+  }
 
   /*!
    * does the same as `run(seeds)`, and takes the time that the difference from the last run is
@@ -305,9 +317,15 @@ public:
    *
    * Run time is \cgalBigO{m} in practice for `m` arcs of the nodes whose distances are found anew,
    * and of the nodes that have arcs in common with them. At the first call, memory of a byte per
-   * group and a bit per node is allocated.
+   * group and a bit per node is allocated. The header `CGAL/Geodesic_costs.h` has to be included,
+   * unless that of the graph does so.
    */
-  void repair(const std::vector<Seed>& seeds);
+  void repair(const std::vector<Seed>& seeds)
+  {
+    static_assert(internal::can_continue<Propagation>, "repair(): include <CGAL/Geodesic_costs.h>");
+    if constexpr(internal::can_continue<Propagation>)
+      internal::Continued_run<Propagation>(*this).repair(seeds);
+  }
 
   /// enables or disables statistics for subsequent runs, which they slow down slightly.
   void collect_statistics(const bool counts) { m_counts = counts; }
@@ -411,11 +429,13 @@ public:
   /// returns the number of bytes that the workspace takes.
   std::size_t memory() const
   {
-    return internal::memory_of(m_run, m_labels, m_queue, m_sources, m_ways, m_seeds, m_candidates,
-                               m_repair);
+    return internal::memory_of(m_run, m_labels, m_queue, m_sources, m_ways, m_seeds, m_candidates) +
+           (m_kept ? m_kept->memory() : 0);
   }
 
 private:
+  friend class internal::Continued_run<Propagation>;
+
   using Labels = internal::Labels;
 
   template <typename G, typename Heuristic>
@@ -636,7 +656,7 @@ private:
     m_ways.forget();
     m_labels.forget_all();
     m_run.forget_all();
-    m_repair.forget();
+    m_kept.reset();
     forget_seeds();
     m_is_complete = true; // nothing is reached
   }
@@ -666,9 +686,6 @@ private:
     if(enter(seed.node, seed.distance, stop, heuristic))
       m_run.on_label(seed.node, seed.distance, entry.payload);
   }
-
-  // Labels a node of a run that is continued.
-  void take_over(Node node, double distance, Node predecessor, bool is_open);
 
   // Labels a node where the search starts, unless it has a smaller label. Returns whether it did.
   template <typename Heuristic>
@@ -730,14 +747,12 @@ private:
   Propagation_statistics m_statistics;
   bool m_counts = false;
   bool m_ended_early = false;
-  internal::Repair_of<Graph> m_repair;
-  bool m_is_complete = true;           // whether all nodes have labels that can be reached
-  std::size_t m_number_of_changes = 0; // of arcs, before the labels were found
+  std::unique_ptr<internal::Kept_part> m_kept; // by `Continued_run`
+  bool m_is_complete = true;                   // whether all nodes have labels that can be reached
+  std::size_t m_number_of_changes = 0;         // of arcs, before the labels were found
   double m_limit = std::numeric_limits<double>::infinity(); // of labels, in units of the graph
 };
 
 } // namespace CGAL::Approximate_geodesics
-
-#include <CGAL/Approximate_geodesics/Search/internal/continued_runs.h>
 
 #endif // CGAL_APPROXIMATE_GEODESICS_SEARCH_PROPAGATION_H

@@ -250,7 +250,7 @@ public:
 
   // Calls `f(i, foot, t)` for them, and the part `t` of the way that is nearest to a point.
   template <typename F>
-  void for_each_foot_in_face(const Index h, const Intrinsic_point& point, F f) const
+  void for_each_foot(const Index h, const Intrinsic_point& point, F f) const
   {
     for_each_in_face(h, [&](const std::size_t i) {
       const Curve_segment& segment = m_segments[i];
@@ -279,6 +279,16 @@ private:
   std::vector<Curve_segment> m_segments;
   Numbers_by_face m_numbers;
 };
+
+// The overload for `Lines_of_point`.
+template <typename F>
+void for_each_foot(const Segments_by_face& segments,
+                   const Index h,
+                   const Intrinsic_point& from,
+                   const F& f)
+{
+  segments.for_each_foot(h, from, f);
+}
 
 // Calls `f(v, corner, foot, p)` for the corners of the faces that paths may enter and that contain
 // the segment between two points, with the nearest point `foot` of it, which is `p`: also if that

@@ -9,7 +9,6 @@
 #include <CGAL/license/Approximate_geodesics.h>
 
 #include <CGAL/Approximate_geodesics/Base/internal/messages.h>
-#include <CGAL/Approximate_geodesics/Surface/internal/Face_gauges.h>
 #include <CGAL/Approximate_geodesics/Surface/internal/triangulation_arrays.h>
 #include <CGAL/Named_function_parameters.h>
 #include <CGAL/assertions.h>
@@ -19,6 +18,7 @@
 #include <cstddef>
 #include <cstdint>
 #include <limits>
+#include <memory>
 #include <string>
 #include <utility>
 #include <vector>
@@ -44,14 +44,17 @@ struct Face_weights
   double unit = 1;
 };
 
-struct Weight_change;
-struct Barrier_change;
-
 namespace internal {
 
 template <typename TriangleMesh, typename NamedParameters>
 class Triangulation_builder;
 class Retriangulation;
+
+// Defined in the package of costs.
+template <typename TriangleMesh, typename NamedParameters>
+class Cost_reader;
+class Face_gauges;
+class Triangulation_changes;
 } // namespace internal
 
 /*!
@@ -84,7 +87,8 @@ class Retriangulation;
  *
  * After its construction an object of this class changes only by `set_weights()` and
  * `set_barriers()`, and may be used by several threads. It takes about 91 bytes per vertex on a
- * closed mesh, 48 more if there are weights, and 36 per thin face.
+ * closed mesh, 48 more if there are weights, and 36 per thin face. Weights that are functions of
+ * the direction never change, and copies share them.
  */
 class Intrinsic_triangulation
 {
@@ -234,7 +238,8 @@ public:
   {
     return internal::memory_of(m_first_halfedge, m_target, m_vertex_of_index, m_index_of_vertex,
                                m_length, m_weight, m_is_border, m_is_barrier, m_is_lifted,
-                               m_is_flipped, m_opposite_rank, m_thin_faces, m_gauges);
+                               m_is_flipped, m_is_forbidden, m_opposite_rank, m_thin_faces) +
+           m_memory_of_gauges;
   }
 
   /// @}
@@ -360,7 +365,7 @@ public:
   bool is_open(const Index h) const
   {
     return weight(h) < std::numeric_limits<double>::infinity() &&
-           (m_gauges.is_empty() || !m_gauges.is_forbidden(m_gauges.face(h)));
+           (m_is_forbidden.empty() || !m_is_forbidden[h]);
   }
 
   /// returns the weight of the edge of `h`: the smaller weight of its two faces. A barrier counts
@@ -384,30 +389,12 @@ public:
     m_weight_unit = weights.unit;
   }
 
-  /*!
-   * changes the weights of some faces. The unit of weights stays the same, so a weight that is less
-   * than \f$10^{-307}\f$ of it is raised to that.
-   *
-   * \throws std::invalid_argument if a halfedge does not exist or is at the border, or if a weight
-   *         is negative, not a number, or so large that costs might overflow a `double`. Then no
-   *         weight has changed.
-   *
-   * Run time is linear in the number of changes. At the first call for a triangulation without
-   * weights, it is \cgalBigO{n}.
-   */
-  void set_weights(const std::vector<Weight_change>& changes);
-
-  /// \cond SKIP_IN_MANUAL
-  // Calls `f(halfedge, before, after)` for each change.
-  template <typename F>
-  void set_weights(const std::vector<Weight_change>& changes, F f);
-  /// \endcond
-
   /// returns whether weights are functions of the direction. `has_weights()` is `false` then.
-  bool has_directional_costs() const { return !m_gauges.is_empty(); }
+  bool has_directional_costs() const { return m_gauges != nullptr; }
 
   /// \cond SKIP_IN_MANUAL
-  const internal::Face_gauges& gauges() const { return m_gauges; }
+  // \pre There are directional costs.
+  const internal::Face_gauges& gauges() const { return *m_gauges; }
   /// \endcond
 
   /// returns whether any edge is a barrier.
@@ -431,16 +418,6 @@ public:
   {
     return !is_border(h) && !is_border(opposite(h)) && (!is_barrier(h) || is_lifted(h));
   }
-
-  /*!
-   * lifts barriers, or puts them back. Only edges that were barriers at construction can change.
-   *
-   * \throws std::invalid_argument if a halfedge does not exist or is not on such an edge. Then no
-   *         barrier has changed.
-   *
-   * Run time is linear in the number of changes; at the first call, it is \cgalBigO{n}.
-   */
-  void set_barriers(const std::vector<Barrier_change>& changes);
 
   /// @}
 
@@ -577,11 +554,10 @@ public:
 private:
   template <typename TriangleMesh, typename NamedParameters>
   friend class internal::Triangulation_builder;
+  template <typename TriangleMesh, typename NamedParameters>
+  friend class internal::Cost_reader;
   friend class internal::Retriangulation;
-
-  void check(const Weight_change& change) const;
-  void check(const Barrier_change& change) const;
-  double in_weight_unit(double weight) const;
+  friend class internal::Triangulation_changes;
 
   bool is_valid_halfedge(const Index h) const
   {
@@ -602,11 +578,13 @@ private:
   std::vector<bool> m_is_border;
   internal::Opposite_ranks m_opposite_rank;
   internal::Thin_faces m_thin_faces;
-  internal::Face_gauges m_gauges;
+  std::shared_ptr<const internal::Face_gauges> m_gauges; // if costs depend on the direction
+  std::size_t m_memory_of_gauges = 0;
   std::vector<double> m_weight;         // per halfedge, or empty
   std::vector<bool> m_is_barrier;       // likewise
   std::vector<bool> m_is_lifted;        // likewise
   std::vector<bool> m_is_flipped;       // likewise
+  std::vector<bool> m_is_forbidden;     // likewise: whether gauges are infinite in all directions
   std::vector<Index> m_vertex_of_index; // empty if vertices keep their indices
   std::vector<Index> m_index_of_vertex; // likewise
   Index m_number_of_faces = 0;
@@ -616,7 +594,5 @@ private:
 };
 
 } // namespace CGAL::Approximate_geodesics
-
-#include <CGAL/Approximate_geodesics/Surface/triangulation_changes.h>
 
 #endif // CGAL_APPROXIMATE_GEODESICS_SURFACE_INTRINSIC_TRIANGULATION_H

@@ -8,7 +8,9 @@
 
 #include <CGAL/license/Approximate_geodesics.h>
 
-#include <CGAL/Approximate_geodesics/Surface/Intrinsic_curve.h>
+#include <CGAL/Approximate_geodesics/Surface/Intrinsic_point.h>
+#include <CGAL/Approximate_geodesics/Surface/Intrinsic_triangulation.h>
+#include <CGAL/Approximate_geodesics/Surface/internal/face_geometry.h>
 
 #include <algorithm>
 #include <cmath>
@@ -17,6 +19,18 @@
 namespace CGAL::Approximate_geodesics {
 
 namespace internal {
+
+// Calls `f(i, points[i])` for the points in the face to the left of `h`. For what has a nearest
+// point to `from`, as segments of curves have, an overload calls `f(i, foot, t)` with that point,
+// and where it is.
+template <typename F>
+void for_each_foot(const Points_by_face& points,
+                   const Index h,
+                   const Intrinsic_point& /* from */,
+                   const F& f)
+{
+  points.for_each_in_face(h, [&](const std::size_t i) { f(i, points[i]); });
+}
 
 /*
  * Costs of straight lines that are lengths times the weights of faces.
@@ -46,24 +60,17 @@ template <typename Costs>
 class Lines_of_point
 {
 public:
-  template <typename F>
-  void for_each_point(const Points_by_face& points, F f) const
+  // Calls `f(i, cost)` for the lines to points in the same face, or `f(i, cost, t)` for those to
+  // the nearest points, apart from the weights of faces, of what `for_each_foot()` is overloaded
+  // for.
+  template <typename Points, typename F>
+  void for_each_point(const Points& points, F f) const
   {
     m_point.for_each_face(m_triangulation, [&](const Index h) {
-      points.for_each_in_face(h, [&](const std::size_t i) { for_each_line(h, points[i], i, f); });
-    });
-  }
-
-  // Calls `f(i, cost, t)` for the lines to the points of segments that are nearest, apart from the
-  // weights of faces, at the part `t` of the way along the segment.
-  template <typename F>
-  void for_each_point(const Segments_by_face& segments, F f) const
-  {
-    m_point.for_each_face(m_triangulation, [&](const Index h) {
-      segments.for_each_foot_in_face(
-          h, m_point, [&](const std::size_t i, const Intrinsic_point& foot, const double t) {
-            for_each_line(h, foot, i, [&](std::size_t, const double cost) { f(i, cost, t); });
-          });
+      for_each_foot(points, h, m_point,
+                    [&](const std::size_t i, const Intrinsic_point& foot, const auto... t) {
+                      for_each_line(h, foot, [&](const double cost) { f(i, cost, t...); });
+                    });
     });
   }
 
@@ -87,20 +94,20 @@ protected:
   const Intrinsic_point m_point;
 
 private:
-  // Reports the lines to `end` along an edge, and across the face to the left of `h`.
+  // Calls `f(cost)` for the lines to `end` along an edge, and across the face to the left of `h`.
   template <typename F>
-  void for_each_line(const Index h, const Intrinsic_point& end, const std::size_t i, F&& f) const
+  void for_each_line(const Index h, const Intrinsic_point& end, const F& f) const
   {
     if(m_point.is_same(end, m_triangulation))
     {
-      f(i, 0.);
+      f(0.);
       return;
     }
-    f(i, cost_along_edge(end));
+    f(cost_along_edge(end));
     if(m_triangulation.is_open(h))
       for_each_face_point(m_triangulation, m_point, h, [&](const Face_point& p) {
         for_each_face_point(m_triangulation, end, h,
-                            [&](const Face_point& q) { f(i, m_costs.between(h, p, q)); });
+                            [&](const Face_point& q) { f(m_costs.between(h, p, q)); });
       });
   }
 
@@ -180,16 +187,6 @@ public:
     else
       for_each_point(Points_by_face(m_triangulation, {end}),
                      [&](std::size_t, const double cost) { f(cost); });
-  }
-
-  // Calls `f(v, cost, p)` for the corners and points that `for_each_corner_beside()` reports.
-  template <typename F, typename OnSample>
-  void for_each_node_beside(const Intrinsic_point& end, F f, OnSample /* on_sample */) const
-  {
-    internal::for_each_corner_beside(
-        m_triangulation, m_point, end,
-        [&](const Index v, const internal::Face_point& corner, const internal::Face_point& foot,
-            const Intrinsic_point& p) { f(v, m_costs.between(corner.halfedge, foot, corner), p); });
   }
   /// \endcond
 

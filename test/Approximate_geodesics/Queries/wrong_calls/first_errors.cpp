@@ -3,9 +3,11 @@
 //
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-// What is wrong if a macro says so, and then has more errors than one: see `CMakeLists.txt`.
+// What is wrong if a macro says so, and then has more errors than one, or lacks a header: see
+// `CMakeLists.txt`.
 
 #include <CGAL/Approximate_geodesics/Surface_mesh_shortest_path.h>
+#include <CGAL/Geodesic_costs.h>
 #include <CGAL/Simple_cartesian.h>
 #include <CGAL/Surface_mesh.h>
 #include <CGAL/approximate_geodesic_distances.h>
@@ -29,6 +31,8 @@ void call(const Mesh& mesh,
   Shortest_paths shortest_paths(mesh);
 #if defined(WRONG_CHAIN) // which begins with a name of CGAL's
   const auto np = parameters::edge_is_constrained_map(barriers).epsilon(0.1);
+#elif defined(WRONG_SIGNS) // without the header
+  const auto np = parameters::signed_distances(true);
 #else
   const auto np = parameters::epsilon(0.1).edge_is_constrained_map(barriers);
 #endif

@@ -6,12 +6,10 @@
 // Calls that must not compile, each below the message that the compiler has to print for it.
 
 #include <CGAL/Approximate_geodesics/Graphs/Discrete_geodesic_graph.h>
-#include <CGAL/Approximate_geodesics/Graphs/Geometric_points.h>
 #include <CGAL/Approximate_geodesics/Graphs/Grid_graph.h>
-#include <CGAL/Approximate_geodesics/Graphs/equal_parts.h>
 #include <CGAL/Approximate_geodesics/Matrices/Rows_in_memory.h>
-#include <CGAL/Approximate_geodesics/Mesh/cost_functions.h>
 #include <CGAL/Approximate_geodesics/Paths/Surface_search.h>
+#include <CGAL/Approximate_geodesics/Queries/Pair_queries.h>
 #include <CGAL/Approximate_geodesics/Queries/farthest_point_sampling.h>
 #include <CGAL/Approximate_geodesics/Queries/gradient.h>
 #include <CGAL/Approximate_geodesics/Queries/isolines.h>
@@ -20,6 +18,7 @@
 #include <CGAL/Approximate_geodesics/Queries/voronoi_borders.h>
 #include <CGAL/Approximate_geodesics/Queries/voronoi_partition.h>
 #include <CGAL/Approximate_geodesics/Surface_mesh_shortest_path.h>
+#include <CGAL/Geodesic_costs.h>
 #include <CGAL/Simple_cartesian.h>
 #include <CGAL/Surface_mesh.h>
 #include <CGAL/approximate_geodesic_distance_matrix.h>
@@ -204,7 +203,7 @@ void compute_matrices_wrongly(const Mesh& mesh, const AG::Edge_graph& graph)
   CGAL::approximate_geodesic_pair_distances(mesh, vertices, std::back_inserter(numbers));
 
   // lists of pairs read maximum_distance, concurrency_tag and visitor
-  shortest_paths.distances(pairs, parameters::straighten(true));
+  AG::Pair_queries(shortest_paths).distances(pairs, parameters::straighten(true));
 
   // symmetric: only supported by sinks that keep all rows and columns
   CGAL::approximate_geodesic_distance_matrix(graph, function, std::vector<int>(),

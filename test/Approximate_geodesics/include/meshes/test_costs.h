@@ -9,10 +9,8 @@
 #include "meshes/test_meshes.h"
 #include "oracles/test_oracles.h"
 
-#include <CGAL/Approximate_geodesics/Graphs/Directional_graph.h>
-#include <CGAL/Approximate_geodesics/Graphs/equal_parts.h>
 #include <CGAL/Approximate_geodesics/Mesh/Triangulation_builder.h>
-#include <CGAL/Approximate_geodesics/Mesh/cost_functions.h>
+#include <CGAL/Geodesic_costs.h>
 
 #include <algorithm>
 #include <cmath>

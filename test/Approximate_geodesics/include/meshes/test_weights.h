@@ -8,9 +8,7 @@
 
 #include "oracles/test_oracles.h"
 
-#include <CGAL/Approximate_geodesics/Graphs/Geometric_points.h>
-#include <CGAL/Approximate_geodesics/Graphs/Steiner_graph.h>
-#include <CGAL/Approximate_geodesics/Graphs/equal_parts.h>
+#include <CGAL/Geodesic_costs.h>
 
 #include <boost/property_map/property_map.hpp>
 

@@ -9,6 +9,7 @@
 #include "checks/test_recorder.h"
 
 #include <CGAL/Approximate_geodesics/Search/Propagation.h>
+#include <CGAL/Geodesic_costs.h>
 
 #include <algorithm>
 #include <cstddef>

@@ -8,7 +8,9 @@
 
 #include "questions/Node_questions.h"
 
-#include <CGAL/Approximate_geodesics/Paths/Surface_search.h>
+#include <CGAL/Approximate_geodesics/Paths/Guided_search.h>
+#include <CGAL/Approximate_geodesics/Paths/Point_pairs.h>
+#include <CGAL/Approximate_geodesics/Queries/search_from_curves.h>
 
 #include <cmath>
 #include <cstddef>
@@ -22,7 +24,7 @@
 namespace geodesics_test {
 
 /*
- * Questions to a search of a surface about points, which may be guided by landmarks or positions.
+ * Questions to a `Guided_search` about points, which may be guided by landmarks or positions.
  * Those about pairs are also compared with searches that nothing guides.
  */
 template <typename Search>
@@ -33,7 +35,7 @@ class Surface_questions
   using Points = std::vector<Point>;
   using Sources = std::vector<CGAL::Approximate_geodesics::Source_point>;
   using Stop_rule = typename Search::Stop_rule;
-  using Landmarks = CGAL::Approximate_geodesics::internal::Landmarks_of<Graph>;
+  using Landmarks = typename Search::Landmarks;
   using Positions = CGAL::Approximate_geodesics::Vertex_positions;
 
   static constexpr double unreached = std::numeric_limits<double>::infinity();
@@ -187,8 +189,8 @@ private:
       const std::vector<CGAL::Approximate_geodesics::Intrinsic_curve> curves = {
           {{{Point::at_vertex(t.source(h)), Point::at_vertex(t.target(h))}}, {}, 0}};
       Search fresh = new_search();
-      m_used.run_from_curves(curves);
-      fresh.run_from_curves(curves);
+      CGAL::Approximate_geodesics::run_from_curves(m_used, curves);
+      CGAL::Approximate_geodesics::run_from_curves(fresh, curves);
       return compare_all(fresh, m_points);
     }
   }
@@ -222,7 +224,7 @@ private:
     const bool knows_positions = chosen(choices, 4);
     const auto find = [&](Search& search) {
       if(!knows_positions)
-        return search.distances({{source, target}}, limit)[0];
+        return pair_distances(search, {{source, target}}, limit)[0];
       search.run_to(target, {{source}}, m_positions, limit);
       return search.distance(target);
     };
@@ -231,12 +233,12 @@ private:
     std::string result =
         difference("pair", found, find(fresh), m_kind.keeps_order ? 0 : m_kind.deviation);
     if(!knows_positions && limit == unreached)
-      result += compare_paths(m_used.paths({{source, target}})[0], found);
+      result += compare_paths(pair_paths(m_used, {{source, target}})[0], found);
     const double deviation = m_kind.deviation_of_pairs;
     if(knows_positions)
       unguided.run({{source}}, {unreached, {target}});
-    const double expected =
-        knows_positions ? unguided.distance(target) : unguided.distances({{source, target}})[0];
+    const double expected = knows_positions ? unguided.distance(target)
+                                            : pair_distances(unguided, {{source, target}})[0];
     if(std::abs(expected - limit) <= deviation * limit) // and may exceed it
       return result;
     return result +

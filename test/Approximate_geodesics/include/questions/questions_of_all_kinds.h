@@ -19,6 +19,7 @@
 #include <CGAL/Approximate_geodesics/Graphs/Lazy_discrete_geodesic_graph.h>
 #include <CGAL/Approximate_geodesics/Graphs/Saddle_vertex_graph.h>
 #include <CGAL/Approximate_geodesics/Queues/Ordered_queues.h>
+#include <CGAL/Geodesic_costs.h>
 
 #include <cmath>
 #include <cstddef>
@@ -62,11 +63,11 @@ template <typename Choices, typename OnAnswer>
 class Questions_of_all_kinds
 {
   template <typename Graph>
-  using Search = CGAL::Approximate_geodesics::Surface_search<Graph>;
+  using Search = CGAL::Approximate_geodesics::Guided_search<Graph>;
   template <typename Graph>
   using Ordered_search =
-      CGAL::Approximate_geodesics::Surface_search<Graph,
-                                                  CGAL::Approximate_geodesics::Binary_heap_queue>;
+      CGAL::Approximate_geodesics::Guided_search<Graph,
+                                                 CGAL::Approximate_geodesics::Binary_heap_queue>;
   using Steiner = Steiner_graph<Fixed_number_of_points>;
 
 public:

@@ -197,6 +197,27 @@ constexpr bool ignores_any =
         CGAL_APPROXIMATE_GEODESICS_FOR_EACH_OF_CGAL(CGAL_APPROXIMATE_GEODESICS_OR_IGNORED);
 #undef CGAL_APPROXIMATE_GEODESICS_OR_IGNORED
 
+// Whether paths cost more or less than their length, or must not go everywhere.
+template <typename NamedParameters>
+constexpr bool has_costs = is_any_given<NamedParameters,
+                                        internal_np::face_weight_t,
+                                        internal_np::max_slope_t,
+                                        internal_np::edge_is_constrained_t>;
+
+// Reports parameters of the package of costs in one line each, unless it is included.
+template <typename NamedParameters, bool IS_INCLUDED>
+void check_costs()
+{
+  static_assert(IS_INCLUDED || !is_given<NamedParameters, internal_np::face_weight_t>,
+                "face_weight_map: include <CGAL/Geodesic_costs.h>");
+  static_assert(IS_INCLUDED || !is_given<NamedParameters, internal_np::max_slope_t>,
+                "max_slope: include <CGAL/Geodesic_costs.h>");
+  static_assert(IS_INCLUDED || !is_given<NamedParameters, internal_np::edge_is_constrained_t>,
+                "edge_is_constrained_map: include <CGAL/Geodesic_costs.h>");
+  static_assert(IS_INCLUDED || !is_given<NamedParameters, internal_np::number_of_points_per_edge_t>,
+                "number_of_points_per_edge: include <CGAL/Geodesic_costs.h>");
+}
+
 // Appends the links of `second`, innermost first, to `first`.
 template <typename First, typename T, typename Tag, typename Base>
 auto append_parameters(const First& first, const Named_function_parameters<T, Tag, Base>& second)

@@ -8,9 +8,11 @@
 
 #include <CGAL/license/Approximate_geodesics.h>
 
+#include <CGAL/Approximate_geodesics/Graphs/Edge_graph.h>
 #include <CGAL/Approximate_geodesics/Surface/Intrinsic_triangulation.h>
 
 #include <cstddef>
+#include <type_traits>
 
 namespace CGAL::Approximate_geodesics::internal {
 
@@ -22,7 +24,9 @@ template <typename Graph>
 class Star_groups
 {
 public:
-  std::size_t number_of_groups() const { return graph().number_of_nodes(); }
+  explicit Star_groups(const Graph& graph) : m_graph(graph) {}
+
+  std::size_t number_of_groups() const { return m_graph.number_of_nodes(); }
 
   template <typename F>
   void for_each_group(const Index node, F f) const
@@ -35,7 +39,7 @@ public:
   {
     const auto node = static_cast<Index>(group);
     f(node);
-    graph().for_each_arc(node, No_labels(), [&](const Index target, double) { f(target); });
+    m_graph.for_each_arc(node, No_labels(), [&](const Index target, double) { f(target); });
   }
 
 private:
@@ -43,8 +47,13 @@ private:
   {
   };
 
-  const Graph& graph() const { return static_cast<const Graph&>(*this); }
+  const Graph& m_graph;
 };
+
+// The groups of a graph: its own, if it has any, or those of the edge graph.
+template <typename Graph>
+using Groups_of =
+    std::conditional_t<std::is_same_v<Graph, Edge_graph>, Star_groups<Graph>, const Graph&>;
 
 } // namespace CGAL::Approximate_geodesics::internal
 

@@ -8,13 +8,20 @@
 
 #include <CGAL/license/Approximate_geodesics.h>
 
-#include <CGAL/Approximate_geodesics/Mesh/Triangle_soup_mesh.h>
 #include <CGAL/Approximate_geodesics/Mesh/internal/Mesh_links.h>
 
 #include <cstddef>
 #include <vector>
 
-namespace CGAL::Approximate_geodesics::internal {
+namespace CGAL::Approximate_geodesics {
+
+template <typename PointRange, typename TriangleRange>
+class Triangle_soup_mesh;
+
+namespace internal {
+
+template <typename Key>
+struct Element_index_map;
 
 /*
  * The connectivity of a mesh whose links are valid by construction, and are arrays: rotates around
@@ -112,6 +119,7 @@ private:
   std::vector<Vertex_index> m_vertices;
 };
 
-} // namespace CGAL::Approximate_geodesics::internal
+} // namespace internal
+} // namespace CGAL::Approximate_geodesics
 
 #endif // CGAL_APPROXIMATE_GEODESICS_MESH_INTERNAL_SOUP_LINKS_H

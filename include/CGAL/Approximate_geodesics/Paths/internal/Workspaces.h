@@ -8,6 +8,8 @@
 
 #include <CGAL/license/Approximate_geodesics.h>
 
+#include <CGAL/Approximate_geodesics/Search/internal/Repair.h>
+
 #include <cstddef>
 #include <functional>
 #include <memory>
@@ -19,7 +21,9 @@ namespace CGAL::Approximate_geodesics::internal {
 
 /*
  * A pool of search workspaces for one graph. A thread borrows a workspace for the duration of a
- * search, so there are at most as many as concurrent searches.
+ * search, so there are at most as many as concurrent searches. Workspaces that are kept cost a
+ * short list of pairs nothing: to make one takes time in proportion to the size of the graph. They
+ * are made anew when all weights of the graph have been exchanged.
  */
 template <typename Search>
 class Workspaces
@@ -42,14 +46,11 @@ public:
   // Calls `set_up(search)` for each workspace from now on, when it is made.
   void set_up(std::function<void(Search&)> set_up)
   {
-    clear();
+    m_searches.clear();
     m_set_up = std::move(set_up);
   }
 
   Borrowed borrow() { return Borrowed(take().release(), Return{this}); }
-
-  // Must be called when all weights of the graph have been exchanged.
-  void clear() { m_searches.clear(); }
 
   // Returns the sum of `f(search)` over all workspaces that are not borrowed.
   template <typename F>
@@ -66,6 +67,11 @@ private:
   Pointer take()
   {
     const std::lock_guard lock(m_mutex);
+    if(!are_changes_known(m_graph, m_number_of_changes))
+    {
+      m_searches.clear();
+      m_number_of_changes = number_of_changes(m_graph);
+    }
     if(m_searches.empty())
     {
       m_searches.reserve(++m_number); // so that put_back() cannot throw
@@ -89,6 +95,7 @@ private:
   std::function<void(Search&)> m_set_up;
   std::vector<Pointer> m_searches;
   std::size_t m_number = 0;
+  std::size_t m_number_of_changes = number_of_changes(m_graph); // that workspaces know
   mutable std::mutex m_mutex;
 };
 

@@ -126,6 +126,16 @@ private:
   std::vector<Node> m_before; // null_node where it is not known
 };
 
+// Returns a path that a search has found, from its target, as one from the source to the target of
+// a pair.
+template <typename SurfaceGraph>
+Path from_source_to_target(const SurfaceGraph& graph, Path path)
+{
+  if(!leads_to_sources(graph))
+    std::reverse(path.points.begin(), path.points.end());
+  return path;
+}
+
 } // namespace CGAL::Approximate_geodesics::internal
 
 #endif // CGAL_APPROXIMATE_GEODESICS_PATHS_INTERNAL_TREE_PATHS_H

@@ -8,9 +8,9 @@
 
 #include <CGAL/license/Approximate_geodesics.h>
 
+#include <CGAL/Approximate_geodesics/Base/Geodesic_run_base.h>
 #include <CGAL/Approximate_geodesics/Parts/internal/Mesh_part.h>
-#include <CGAL/Approximate_geodesics/Paths/internal/signed_distances.h>
-#include <CGAL/Approximate_geodesics/Queries/internal/curve_parameters.h>
+#include <CGAL/Approximate_geodesics/Queries/internal/other_sources.h>
 #include <CGAL/Approximate_geodesics/Queries/internal/query_parameters.h>
 
 #include <algorithm>
@@ -55,6 +55,11 @@ private:
   const Vertices& m_vertices;
 };
 
+// What `signed_distances` asks for: `of(search)` returns the distances of all vertices. The package
+// Geodesic_constructions defines it.
+template <typename SurfaceSearch>
+struct Signed_distances;
+
 /*
  * A search of a graph in terms of a mesh: the common implementation of the class and of the free
  * functions, which reads the named parameters of runs. The translation identifies the mesh.
@@ -91,30 +96,23 @@ public:
     return result;
   }
 
-  // Converts a curve or a region, or a range of them.
-  template <typename Curves>
-  std::vector<Intrinsic_curve> source_curves(const Curves& curves) const
-  {
-    return Curve_reader(m_search.graph(), m_translation).read_all(curves);
-  }
-
-  // Searches from a point of the surface or a curve, or from a range of points or curves.
+  // Searches from a source, or from a range of sources.
   template <typename Sources, typename NamedParameters>
   void run_from(const Sources& sources, const NamedParameters& np)
   {
-    const auto run_from = [&](auto converted) {
-      set_initial_distances(np, converted);
-      run(std::move(converted), np);
-    };
-    if constexpr(are_curves<Triangle_mesh, Sources>)
-      run_from(source_curves(sources));
+    if constexpr(are_other_sources<Triangle_mesh, Sources>)
+      run(attached(sources, np), np);
     else
-      run_from(source_points(sources));
+    {
+      std::vector<Source_point> points = source_points(sources);
+      set_initial_distances(np, points);
+      run(std::move(points), np);
+    }
   }
 
-  // Searches from points, or from curves.
-  template <typename Source, typename NamedParameters>
-  void run(std::vector<Source> sources, const NamedParameters& np)
+  // Searches from `Source_point`s, or from attached sources of another kind.
+  template <typename Sources, typename NamedParameters>
+  void run(Sources sources, const NamedParameters& np)
   {
     run(std::move(sources), stop_rule(np), np);
   }
@@ -130,8 +128,8 @@ public:
     const Intrinsic_point end = intrinsic_point(m_translation, target, "target");
     auto stop = stop_rule(np);
     stop.targets.push_back(end);
-    if constexpr(are_curves<Triangle_mesh, Sources>)
-      run(source_curves(sources), stop, np);
+    if constexpr(are_other_sources<Triangle_mesh, Sources>)
+      run(attached(sources, parameters::default_values()), stop, np);
     else if constexpr(is_given<NamedParameters, internal_np::visitor_t>)
       run(source_points(sources), stop, np);
     else
@@ -180,8 +178,7 @@ public:
       for(const auto node : search.reached_nodes())
         if(m_search.source(node) != Search::null_source)
           break; // the first source that is found allocates memory for all
-    const std::vector<double> with_sign =
-        is_signed(np) ? signed_distances(m_search) : std::vector<double>();
+    const std::vector<double> with_sign = distances_with_sign(np);
     put_for_all(distances, [&](auto /* vertex */, const auto node) {
       if(node == Search::null_node)
         return infinity;
@@ -209,11 +206,30 @@ public:
 private:
   using Stop_rule = typename Surface_search::Stop_rule;
 
+  // Returns none unless the named parameters request them.
   template <typename NamedParameters>
-  static bool is_signed([[maybe_unused]] const NamedParameters& np)
+  std::vector<double> distances_with_sign([[maybe_unused]] const NamedParameters& np) const
   {
-    return parameters::choose_parameter(
-        parameters::get_parameter(np, internal_np::signed_distances), false);
+    if constexpr(is_given<NamedParameters, internal_np::signed_distances_t>)
+    {
+      using Distances = Signed_distances<Surface_search>;
+      static_assert(is_defined<Distances>,
+                    "signed_distances: include <CGAL/Geodesic_constructions.h>");
+      if constexpr(is_defined<Distances>)
+        if(parameters::get_parameter(np, internal_np::signed_distances))
+          return Distances::of(m_search);
+    }
+    return {};
+  }
+
+  // Converts sources of another kind.
+  template <typename Sources, typename NamedParameters>
+  auto attached(const Sources& sources, const NamedParameters& np) const
+  {
+    using Source = Other_source_of<Triangle_mesh, Sources>;
+    auto read = Source::read_all(m_search.graph(), m_translation, sources);
+    set_initial_distances(np, read);
+    return Source::template attach<Surface_search>(m_search.graph(), std::move(read));
   }
 
   // Reads the named parameters that limit a run.
@@ -228,14 +244,14 @@ private:
   }
 
   // Runs with the visitor of the named parameters, if any.
-  template <typename Source, typename NamedParameters>
-  void run(std::vector<Source> sources, const Stop_rule& stop, const NamedParameters& np)
+  template <typename Sources, typename NamedParameters>
+  void run(Sources sources, const Stop_rule& stop, const NamedParameters& np)
   {
     const auto search = [&](auto&& visitor) {
-      if constexpr(std::is_same_v<Source, Intrinsic_curve>)
-        m_search.run_from_curves(std::move(sources), stop, visitor);
-      else
+      if constexpr(std::is_same_v<Sources, std::vector<Source_point>>)
         m_search.run(std::move(sources), stop, visitor);
+      else
+        m_search.run_from(std::move(sources), stop, visitor);
     };
     if constexpr(is_given<NamedParameters, internal_np::visitor_t>)
     {
@@ -302,8 +318,7 @@ bool is_accepted_by_graphs(const Intrinsic_triangulation& triangulation,
                            [[maybe_unused]] const NamedParameters& np)
 {
   if constexpr(is_given<NamedParameters, internal_np::number_of_points_per_edge_t>)
-    if(has_more_points(triangulation, Fixed_number_of_points(np),
-                       maximum_number_of_points(triangulation, maximum_number_of_points(np))))
+    if(!Cost_graphs<NamedParameters>::is_in_limit(triangulation, np))
       return false;
   return triangulation.face_without_shape() == null_index;
 }
@@ -358,7 +373,7 @@ constexpr bool may_read_part()
 {
   using Graph_traits = boost::graph_traits<TriangleMesh>;
   return is_hashable<typename Graph_traits::vertex_descriptor> &&
-         is_hashable<typename Graph_traits::halfedge_descriptor> && !has_weights<NamedParameters> &&
+         is_hashable<typename Graph_traits::halfedge_descriptor> && !has_costs<NamedParameters> &&
          !is_any_given<NamedParameters, internal_np::edge_length_t, internal_np::visitor_t>;
 }
 

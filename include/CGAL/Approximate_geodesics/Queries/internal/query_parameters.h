@@ -8,11 +8,10 @@
 
 #include <CGAL/license/Approximate_geodesics.h>
 
-#include <CGAL/Approximate_geodesics/Graphs/Directional_graph.h>
+#include <CGAL/Approximate_geodesics/Base/Geodesic_run_base.h>
+#include <CGAL/Approximate_geodesics/Graphs/Edge_graph.h>
 #include <CGAL/Approximate_geodesics/Graphs/Lazy_discrete_geodesic_graph.h>
 #include <CGAL/Approximate_geodesics/Graphs/Saddle_vertex_graph.h>
-#include <CGAL/Approximate_geodesics/Graphs/Steiner_graph.h>
-#include <CGAL/Approximate_geodesics/Graphs/equal_parts.h>
 #include <CGAL/Approximate_geodesics/Mesh/Triangulation_builder.h>
 #include <CGAL/Approximate_geodesics/Paths/Path_straightener.h>
 #include <CGAL/Approximate_geodesics/Paths/Surface_search.h>
@@ -55,19 +54,13 @@ constexpr bool query_ignores_any = ignores_any<NamedParameters,
                                                internal_np::accept_weaker_bound_t,
                                                Read...>;
 
-template <typename NamedParameters>
-constexpr bool has_weights = is_any_given<NamedParameters,
-                                          internal_np::face_weight_t,
-                                          internal_np::max_slope_t,
-                                          internal_np::edge_is_constrained_t>;
-
 // Whether paths run across faces.
 template <typename NamedParameters>
 constexpr bool needs_faces =
-    has_weights<NamedParameters> || is_any_given<NamedParameters,
-                                                 internal_np::epsilon_t,
-                                                 internal_np::number_of_points_per_edge_t,
-                                                 internal_np::straighten_t>;
+    has_costs<NamedParameters> || is_any_given<NamedParameters,
+                                               internal_np::epsilon_t,
+                                               internal_np::number_of_points_per_edge_t,
+                                               internal_np::straighten_t>;
 
 // Reads the initial distances of sources or seeds.
 template <typename NamedParameters, typename Source>
@@ -106,20 +99,10 @@ void straighten_if_wanted([[maybe_unused]] const Intrinsic_triangulation& triang
     }
 }
 
-// Returns the graph that the named parameters select for directional costs.
+// Calls a function with the graph that costs, barriers, or points on edges select. It is defined in
+// the package of costs.
 template <typename NamedParameters>
-auto directional_graph(Intrinsic_triangulation triangulation, const NamedParameters& np)
-{
-  if constexpr(is_given<NamedParameters, internal_np::number_of_points_per_edge_t>)
-    return Directional_graph<Fixed_number_of_points>(std::move(triangulation), np);
-  else if constexpr(is_given<NamedParameters, internal_np::epsilon_t>)
-    return Directional_graph<Directional_points>(std::move(triangulation), np);
-  else
-    return Directional_graph<Fixed_number_of_points>(
-        std::move(triangulation), Fixed_number_of_points(0),
-        parameters::choose_parameter(
-            parameters::get_parameter(np, internal_np::direction_to_source), false));
-}
+class Cost_graphs;
 
 // Calls `f` with a graph for the named parameter `epsilon`. If its value is known at compile time,
 // only one graph is instantiated.
@@ -159,9 +142,7 @@ auto with_graph_on(Intrinsic_triangulation triangulation,
 {
   constexpr bool has_epsilon = is_given<NamedParameters, internal_np::epsilon_t>;
   constexpr bool has_number = is_given<NamedParameters, internal_np::number_of_points_per_edge_t>;
-  constexpr bool has_weights = internal::has_weights<NamedParameters>;
-  static_assert(!has_epsilon || !has_number,
-                "epsilon and number_of_points_per_edge: only one of them can be given");
+  constexpr bool has_weights = has_costs<NamedParameters>;
   static_assert((has_weights && has_epsilon) || !limits_points<NamedParameters>,
                 "maximum_number_of_points_per_edge, accept_weaker_bound: they are for epsilon with "
                 "weights or barriers; any other bound holds on every mesh");
@@ -170,15 +151,13 @@ auto with_graph_on(Intrinsic_triangulation triangulation,
                 "maximum_number_of_points: it is for number_of_points_per_edge, and for epsilon "
                 "with weights or barriers; other graphs have no points on edges");
 
-  if constexpr(has_directional_cost<NamedParameters>)
-    return f(directional_graph(std::move(triangulation), np));
-  else if constexpr(has_number)
-    return f(Steiner_graph<Fixed_number_of_points>(std::move(triangulation), np));
-  else if constexpr(has_weights && has_epsilon)
-    return f(Steiner_graph<Geometric_points>(std::move(triangulation), np));
-  else if constexpr(has_weights)
-    return f(
-        Steiner_graph<Fixed_number_of_points>(std::move(triangulation), Fixed_number_of_points(0)));
+  if constexpr(has_weights || has_number)
+  {
+    using Graphs = Cost_graphs<NamedParameters>;
+    check_costs<NamedParameters, is_defined<Graphs>>();
+    if constexpr(is_defined<Graphs>)
+      return Graphs::with_graph(std::move(triangulation), np, f);
+  }
   else if constexpr(has_epsilon)
     return with_epsilon<GraphWithBound, ExactTag>(std::move(triangulation), np, f);
   else

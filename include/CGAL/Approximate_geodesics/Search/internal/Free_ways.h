@@ -8,11 +8,11 @@
 
 #include <CGAL/license/Approximate_geodesics.h>
 
-#include <CGAL/Approximate_geodesics/Base/Geodesic_run_base.h>
 #include <CGAL/Approximate_geodesics/Base/internal/Loop.h>
 #include <CGAL/Approximate_geodesics/Base/internal/arrays.h>
 #include <CGAL/Approximate_geodesics/Search/Propagation_types.h>
 #include <CGAL/Approximate_geodesics/Search/internal/Labels.h>
+#include <CGAL/Approximate_geodesics/Search/internal/extensions.h>
 
 #include <algorithm>
 #include <cstddef>
@@ -20,16 +20,10 @@
 #include <functional>
 #include <limits>
 #include <queue>
-#include <type_traits>
 #include <utility>
 #include <vector>
 
 namespace CGAL::Approximate_geodesics::internal {
-
-// Whether a graph tells the lengths of arcs that cost nothing.
-template <typename Graph>
-constexpr bool
-    tells_free_arcs = is_valid<const Graph&, bool>([](auto& g) -> decltype(g.has_free_arcs()) {});
 
 /*
  * Where arcs cost nothing, a search has no reason to prefer a straight way to one that wanders.
@@ -279,17 +273,6 @@ private:
   std::vector<Node> m_nodes; // those that were reached, by their labels
   std::size_t m_number_settled = 0;
 };
-
-// Stands for `Free_ways` if a graph does not tell free arcs.
-struct No_free_ways
-{
-  void forget() {}
-  void wait() {}
-  static std::size_t memory() { return 0; }
-};
-
-template <typename Graph>
-using Free_ways_of = std::conditional_t<tells_free_arcs<Graph>, Free_ways<Graph>, No_free_ways>;
 
 } // namespace CGAL::Approximate_geodesics::internal
 

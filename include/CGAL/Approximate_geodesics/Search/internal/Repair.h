@@ -9,45 +9,20 @@
 #include <CGAL/license/Approximate_geodesics.h>
 
 #include <CGAL/Approximate_geodesics/Base/Arc_changes.h>
-#include <CGAL/Approximate_geodesics/Base/Geodesic_run_base.h>
 #include <CGAL/Approximate_geodesics/Base/internal/arrays.h>
 #include <CGAL/Approximate_geodesics/Search/Propagation_types.h>
 #include <CGAL/Approximate_geodesics/Search/internal/Labels.h>
+#include <CGAL/Approximate_geodesics/Search/internal/extensions.h>
 
 #include <boost/type_traits/is_detected.hpp>
-#include <boost/type_traits/is_detected_convertible.hpp>
 
 #include <algorithm>
 #include <cstddef>
 #include <cstdint>
-#include <type_traits>
 #include <utility>
 #include <vector>
 
 namespace CGAL::Approximate_geodesics::internal {
-
-template <typename Graph>
-using Number_of_groups = decltype(std::declval<const Graph&>().number_of_groups());
-
-template <typename Graph>
-using Changes_of_arcs = decltype(std::declval<const Graph&>().arc_changes());
-
-// Whether the results of a search can be repaired: arcs run within groups of nodes, and no data is
-// stored beside labels.
-template <typename Graph>
-constexpr bool is_repairable =
-    boost::is_detected_convertible_v<std::size_t, Number_of_groups, Graph>&&
-        std::is_same_v<Run_of<Graph>, Geodesic_run_base<Graph>>;
-
-// Returns how many changes of arcs there were.
-template <typename Graph>
-std::size_t number_of_changes([[maybe_unused]] const Graph& graph)
-{
-  if constexpr(boost::is_detected_v<Changes_of_arcs, Graph>)
-    return graph.arc_changes().number();
-  else
-    return 0;
-}
 
 // Returns whether all changes are listed since there were so many.
 template <typename Graph>
@@ -72,9 +47,11 @@ bool are_changes_known([[maybe_unused]] const Graph& graph,
  * and only the arcs of some nodes can lower a label: of those that are in a group with a raised
  * node, or in one with arcs that have become shorter. A search from these nodes ends with the
  * smallest labels, whatever they were before.
+ *
+ * `Graph` is a graph with groups, or what stands for it.
  */
 template <typename Graph>
-class Repair
+class Repair final : public Kept_part
 {
   using Node = Labels::Node;
   using Group = std::size_t;
@@ -90,7 +67,7 @@ public:
                     [[maybe_unused]] const std::size_t number_before)
   {
     m_state.resize(graph.number_of_groups());
-    m_is_marked.resize(graph.number_of_nodes());
+    m_is_marked.resize(labels.number_of_nodes());
     if(!replace_seeds(seeds_before, std::move(seeds), graph, labels))
       return false;
     if constexpr(boost::is_detected_v<Changes_of_arcs, Graph>)
@@ -141,10 +118,7 @@ public:
     m_number_raised = 0;
   }
 
-  // Must be called after an exception.
-  void forget() { *this = Repair(); }
-
-  std::size_t memory() const
+  std::size_t memory() const override
   {
     return memory_of(m_state, m_is_marked, m_touched, m_waiting, m_raised, m_nodes);
   }
@@ -283,16 +257,6 @@ private:
   std::size_t m_number_raised = 0; // of those in the list, by `add()` and `replace_seeds()`
   std::vector<Node> m_nodes;       // those that are marked
 };
-
-// Stands for `Repair` if searches of a graph are not repaired.
-struct No_repair
-{
-  static std::size_t memory() { return 0; }
-  void forget() {}
-};
-
-template <typename Graph>
-using Repair_of = std::conditional_t<is_repairable<Graph>, Repair<Graph>, No_repair>;
 
 } // namespace CGAL::Approximate_geodesics::internal
 

@@ -9,6 +9,7 @@
 #include <CGAL/license/Approximate_geodesics.h>
 
 #include <CGAL/Approximate_geodesics/Surface/Intrinsic_point.h>
+#include <CGAL/Approximate_geodesics/Surface/internal/Plane_vector.h>
 #include <CGAL/assertions.h>
 
 #include <boost/config.hpp>

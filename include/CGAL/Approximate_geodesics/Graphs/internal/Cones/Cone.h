@@ -53,6 +53,22 @@ struct Cone_rules
   // The rules for a part of epsilon, by which cones end farther away.
   Cone_rules farther(const double part) const { return Cone_rules(part * epsilon); }
 
+  // The largest relative error of distances from samples of what a search starts from, in place of
+  // those from all of its points. It takes most of the part of epsilon that cones do not use.
+  // Searches from samples that end cones by labels use no more of it than these, either.
+  double largest_error_of_samples() const
+  {
+    constexpr double part = 0.8;
+    return part * ((1 + epsilon) / longest_detour - 1);
+  }
+
+  // The bound that is left for the lines from samples: the product of both errors is within
+  // epsilon.
+  double epsilon_from_samples() const
+  {
+    return (1 + epsilon) / (1 + largest_error_of_samples()) - 1;
+  }
+
   double epsilon;
   // as a multiple of the straight line, at which a cone may end
   double longest_detour = 1 + SHARE_OF_ENDS * epsilon;

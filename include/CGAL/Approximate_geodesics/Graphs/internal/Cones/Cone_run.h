@@ -74,7 +74,7 @@ public:
   template <typename Search>
   void start(Search& search)
   {
-    m_epsilon = search.starts_from_curves() ? epsilon_from_samples(graph().m_rules)
+    m_epsilon = search.starts_from_curves() ? graph().m_rules.epsilon_from_samples()
                                             : graph().m_rules.epsilon;
   }
 

@@ -39,32 +39,42 @@ public:
   Cones_of_point(const Cones_of_point&) = delete; // it refers to a member
   Cones_of_point& operator=(const Cones_of_point&) = delete;
 
-  // Lines across faces reach all that lines from a vertex where a curve is straight would reach.
-  static constexpr bool looks_across_edges = true;
+  // The rules by which cones end.
+  const Cone_rules& rules() const { return m_rules; }
 
   // Calls `f(v, length)` for the lines to vertices.
   template <typename F>
   void for_each_node(F f) const
   {
-    for_each_node_in_cones(Leave_out_nothing(), f);
+    for_each_node(Leave_out_nothing(), f);
   }
 
-  // The same for lines that may be of use to a search from a curve, to which the point belongs. The
-  // labels, in units of the graph, are upper bounds.
-  template <typename Labels, typename F>
-  void for_each_node(const Labels& labels, double label, F f) const;
+  // The same for those through windows that `visitor` does not prune.
+  template <typename Visitor, typename F>
+  void for_each_node(const Visitor& visitor, F f) const
+  {
+    m_lines.for_each_node(f);
+    if(!m_point.is_vertex())
+      for_each_view([&](const View& view) { for_each_node_in_view(view, visitor, f); });
+  }
 
-  // The same for the lines that a sample, which is this point, is needed for.
-  template <typename Labels, typename F>
-  void for_each_node(const Labels& labels, const Curve_sample& sample, F f) const;
+  // The same for those in a view.
+  template <typename Visitor, typename F>
+  void for_each_node_in_view(const View& view, const Visitor& visitor, F& f) const
+  {
+    m_expansion.expand_through(
+        view, [&](const Straight_arc& arc) { f(arc.target, arc.length); }, visitor);
+  }
 
-  // Calls `f(v, length, foot)` and `on_sample(sample)` for the segment to `end`: see
-  // `Strips_of_curve`.
-  template <typename F, typename OnSample>
-  void for_each_node_beside(const Intrinsic_point& end, F f, OnSample on_sample) const;
+  // Calls `f(view)` for the sides through which lines leave the faces that contain the point.
+  template <typename F>
+  void for_each_view(F f) const
+  {
+    m_point.for_each_face(m_triangulation, [&](const Index h) { for_each_view_out_of_face(h, f); });
+  }
 
-  // Calls `f(i, length)` for the lines to given points, or `f(i, length, t)` for those to the
-  // nearest points of `Segments_by_face`.
+  // Calls `f(i, length)` for the lines to given points, or `f(i, length, t)` if `for_each_foot()`
+  // and `for_each_position()` tell where the nearest points are.
   template <typename Points, typename F>
   void for_each_point(const Points& points, F f) const
   {
@@ -153,21 +163,6 @@ protected:
   const Intrinsic_point m_point;
 
 private:
-  template <typename Visitor, typename F>
-  void for_each_node_in_cones(const Visitor& visitor, F& f) const
-  {
-    m_lines.for_each_node(f);
-    if(!m_point.is_vertex())
-      for_each_view([&](const View& view) { expand_through(view, visitor, f); });
-  }
-
-  template <typename Visitor, typename F>
-  void expand_through(const View& view, const Visitor& visitor, F& f) const
-  {
-    m_expansion.expand_through(
-        view, [&](const Straight_arc& arc) { f(arc.target, arc.length); }, visitor);
-  }
-
   // Looks for points in the faces that cones cross.
   template <typename Visitor, typename Points, typename Report>
   struct Finding_points : Remembering<Visitor>
@@ -211,13 +206,6 @@ private:
             {visitor, tree}, m_triangulation, points, report, view.start});
   }
 
-  // Calls `f(view)` for the sides through which lines leave the faces that contain the point.
-  template <typename F>
-  void for_each_view(F f) const
-  {
-    m_point.for_each_face(m_triangulation, [&](const Index h) { for_each_view_out_of_face(h, f); });
-  }
-
   // The view out of the face to the left of `side`, from the point at the origin.
   View view(const Index side) const
   {
@@ -251,7 +239,5 @@ private:
 };
 
 } // namespace CGAL::Approximate_geodesics::internal
-
-#include <CGAL/Approximate_geodesics/Graphs/internal/Cones/Sample_sector.h>
 
 #endif // CGAL_APPROXIMATE_GEODESICS_GRAPHS_INTERNAL_CONES_CONES_OF_POINT_H

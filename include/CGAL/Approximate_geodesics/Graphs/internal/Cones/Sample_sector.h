@@ -96,37 +96,38 @@ pruning_of_samples(const Intrinsic_triangulation& triangulation,
                    const Labels& labels,
                    const double label_of_tip)
 {
-  return {{}, triangulation, labels, label_of_tip, 1 + epsilon_from_samples(rules)};
+  return {{}, triangulation, labels, label_of_tip, 1 + rules.epsilon_from_samples()};
 }
 
-// The member functions of `Cones_of_point` for curves.
-
+// Calls `f(v, length)` for the lines from an attached point of a curve that may be of use to a
+// search from there. The labels, in units of the graph, are upper bounds.
 template <typename Labels, typename F>
-void Cones_of_point::for_each_node(const Labels& labels, const double label, F f) const
+void for_each_node_in_cones(const Intrinsic_triangulation& triangulation,
+                            const Cones_of_point& cones,
+                            const Labels& labels,
+                            F f)
 {
-  for_each_node_in_cones(pruning_of_samples(m_triangulation, m_rules, labels, label), f);
+  cones.for_each_node(pruning_of_samples(triangulation, cones.rules(), labels, 0), f);
 }
 
+// The same for the lines that a sample, which is the point, is needed for.
 template <typename Labels, typename F>
-void Cones_of_point::for_each_node(const Labels& labels, const Curve_sample& sample, F f) const
+void for_each_node_in_sector(const Intrinsic_triangulation& triangulation,
+                             const Cones_of_point& cones,
+                             const Curve_sample& sample,
+                             const Labels& labels,
+                             F f)
 {
-  if(m_point.is_vertex()) // a node
-    return f(m_point.vertex, 0.);
-  const auto pruning = pruning_of_samples(m_triangulation, m_rules, labels, 0);
-  for_each_view([&](const View& view) {
-    if(const auto sector = sector_of_sample(m_triangulation, m_point, sample, view))
-      expand_through(view, In_sector<std::decay_t<decltype(pruning)>>{pruning, *sector}, f);
+  if(sample.point.is_vertex()) // a node
+    return f(sample.point.vertex, 0.);
+  const auto pruning = pruning_of_samples(triangulation, cones.rules(), labels, 0);
+  cones.for_each_view([&](const View& view) {
+    if(const auto sector = sector_of_sample(triangulation, sample.point, sample, view))
+      cones.for_each_node_in_view(view,
+                                  In_sector<std::decay_t<decltype(pruning)>>{pruning, *sector}, f);
     else
-      expand_through(view, pruning, f);
+      cones.for_each_node_in_view(view, pruning, f);
   });
-}
-
-template <typename F, typename OnSample>
-void Cones_of_point::for_each_node_beside(const Intrinsic_point& end, F f, OnSample on_sample) const
-{
-  m_lines.for_each_node_beside(end, f, on_sample);
-  Strips_of_curve<F, OnSample>{m_triangulation, slope_of_strips(m_rules), f, on_sample}.follow(
-      m_point, end);
 }
 
 } // namespace CGAL::Approximate_geodesics::internal

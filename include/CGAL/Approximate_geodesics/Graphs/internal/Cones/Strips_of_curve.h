@@ -17,25 +17,10 @@
 
 namespace CGAL::Approximate_geodesics::internal {
 
-// The largest relative error of distances from samples of a curve, in place of those from the
-// curve. It takes most of the part of epsilon that cones do not use. Searches from a curve that end
-// cones by labels use no more of it than these, either.
-inline double largest_error_of_samples(const Cone_rules& rules)
-{
-  constexpr double part = 0.8;
-  return part * ((1 + rules.epsilon) / rules.longest_detour - 1);
-}
-
-// The bound that is left for the lines from samples: the product of both errors is within epsilon.
-inline double epsilon_from_samples(const Cone_rules& rules)
-{
-  return (1 + rules.epsilon) / (1 + largest_error_of_samples(rules)) - 1;
-}
-
 // The largest ratio of the width of a strip to its height at which a point is such a sample.
 inline double slope_of_strips(const Cone_rules& rules)
 {
-  const double error = largest_error_of_samples(rules);
+  const double error = rules.largest_error_of_samples();
   return std::sqrt(error * (2 + error));
 }
 
@@ -45,7 +30,7 @@ inline double slope_of_strips(const Cone_rules& rules)
  * `f(v, length, foot)` is called for vertices that are nearest to a point `foot` inside the
  * segment, along these rays, and `on_sample(sample)` for points of the segment whose lines are
  * needed, too, as strips end: those to what lies behind. From the point, the way there is longer
- * than the rays by a factor of at most `1 + largest_error_of_samples()`.
+ * than the rays by a factor of at most `1 + Cone_rules::largest_error_of_samples()`.
  */
 template <typename F, typename OnSample>
 struct Strips_of_curve

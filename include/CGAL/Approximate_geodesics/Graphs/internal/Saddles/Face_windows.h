@@ -8,7 +8,7 @@
 
 #include <CGAL/license/Approximate_geodesics.h>
 
-#include <CGAL/Approximate_geodesics/Graphs/internal/Saddles/Lines_of_sight.h>
+#include <CGAL/Approximate_geodesics/Graphs/internal/Saddles/Exact_windows.h>
 #include <CGAL/Approximate_geodesics/Graphs/internal/Saddles/Side_windows.h>
 
 #include <cstddef>
@@ -50,17 +50,16 @@ private:
  * window that sees it and knows its distance. Sights are given up as in the search. Sights are
  * followed twice: first to find which faces several sources reach, then to find their windows.
  */
-template <typename Run, typename Labels>
+template <typename Search>
 class Face_windows
 {
 public:
+  // All are referred to.
   Face_windows(const Intrinsic_triangulation& triangulation,
-               const Run& run,
-               const Labels& labels,
+               const Exact_windows<Search>& windows,
                Face_owners& owners)
     : m_triangulation(triangulation),
-      m_run(run),
-      m_labels(labels),
+      m_exact_windows(windows),
       m_owners(owners),
       m_sides(triangulation.number_of_halfedges())
   {
@@ -73,38 +72,29 @@ public:
   // Adds the windows of a vertex that was reached from a source.
   void add_vertex(const Index v, const std::size_t source)
   {
-    Visitor visitor{{}, *this, source, m_labels.distance(v)};
-    Sight_expansion<Visitor> expansion(m_run.tables(), visitor.label_of_tip, visitor);
-    const auto on_corner = [&](const Index h, const Plane_vector right, const Plane_vector left) {
-      if(m_run.tables().steps[h].has_face() && is_wanted(h, source))
-        add({h, true, source, visitor.label_of_tip, {0, 0}, right, left});
-    };
-    const auto on_sight = [&](const Sight& sight, const Index left_end, const Index right_end) {
-      expansion.look(sight, left_end, right_end);
-    };
-    const Vertex_sights sights(m_triangulation, m_run.tables());
-    sights.for_each_corner(
-        v, m_run.arrival(v), [](Index) {}, on_corner);
-    sights.for_each(
-        v, m_run.arrival(v), [](Index) {}, on_sight);
+    Visitor visitor{{{}, m_exact_windows}, *this, source, m_exact_windows.label(v)};
+    m_exact_windows.follow_from_vertex(
+        v,
+        [&](const Index h, const Plane_vector right, const Plane_vector left) {
+          if(is_wanted(h, source))
+            add({h, true, source, visitor.label_of_tip, {0, 0}, right, left});
+        },
+        visitor);
   }
 
   // Adds the windows of a source that is not a vertex.
   void add_point(const Intrinsic_point& point, const double label, const std::size_t source)
   {
-    Visitor visitor{{}, *this, source, label};
-    Sight_expansion<Visitor> expansion(m_run.tables(), label, visitor);
-    const Lines_of_sight lines(m_triangulation, m_run.tables(), point);
+    Visitor visitor{{{}, m_exact_windows}, *this, source, label};
     constexpr double smallest_height = 1e-10; // below that, rounding decides where a side is
-    lines.for_each_side(
+    m_exact_windows.follow_from_point(
+        point, label,
         [&](const Index side, const Face_point&, const Plane_vector start, const Plane_vector end) {
           const Plane_vector edge = end - start;
           if(cross(start, end) > smallest_height * dot(edge, edge) && is_wanted(side, source))
             add(from_tip_in_plane(side, source, true, label, start, edge, start, end));
-        });
-    lines.for_each_sight([&](const Sight& sight, const Index left_end, const Index right_end) {
-      expansion.look(sight, left_end, right_end);
-    });
+        },
+        visitor);
   }
 
   // The windows, in no particular order.
@@ -116,18 +106,9 @@ public:
   }
 
 private:
-  struct Visitor : Sight_visitor_base
+  struct Visitor : Exact_windows<Search>::Visitor
   {
-    static constexpr bool knows_arrivals = true;
     static constexpr bool wants_faces = true;
-
-    double bound(const Index v) const { return found.m_labels.distance(v); }
-    double label(const Index v) const { return found.m_labels.distance(v); }
-    const Arrival& arrival(const Index v) const { return found.m_run.arrival(v); }
-    bool has_predecessor(const Index v) const
-    {
-      return found.m_labels.predecessor(v) != null_index;
-    }
 
     void on_vertex(Index, const Sight_path&, const Sight&, Plane_vector, Plane_vector) {}
 
@@ -186,8 +167,7 @@ private:
   }
 
   const Intrinsic_triangulation& m_triangulation;
-  const Run& m_run;
-  const Labels& m_labels;
+  const Exact_windows<Search>& m_exact_windows;
   Face_owners& m_owners;
   bool m_are_owners_fixed = false;
   std::vector<Side_windows> m_sides; // of faces, by halfedge

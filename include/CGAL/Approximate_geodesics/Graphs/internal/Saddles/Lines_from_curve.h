@@ -8,6 +8,7 @@
 
 #include <CGAL/license/Approximate_geodesics.h>
 
+#include <CGAL/Approximate_geodesics/Base/Geodesic_run_base.h>
 #include <CGAL/Approximate_geodesics/Graphs/internal/Saddles/Lines_of_sight.h>
 #include <CGAL/Approximate_geodesics/Graphs/internal/Saddles/Strip_expansion.h>
 #include <CGAL/Approximate_geodesics/Surface/Intrinsic_curve.h>
@@ -19,6 +20,12 @@
 #include <vector>
 
 namespace CGAL::Approximate_geodesics::internal {
+
+// Whether a run finds lines from its labels by sights, as that of a saddle vertex graph does.
+template <typename Run>
+constexpr bool follows_sights =
+    is_valid<const Run&, const Sight_tables&>([](auto& run) -> decltype(run.tables()) {}) &&
+    is_valid<const Run&, double>([](auto& run) -> decltype(run.bound(0)) {});
 
 // Where the angle between two segments of a curve is no larger than pi, up to rounding, no shortest
 // path to the curve ends at their common point, unless it also ends at a right angle.

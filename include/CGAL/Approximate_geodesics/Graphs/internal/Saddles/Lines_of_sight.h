@@ -136,9 +136,9 @@ public:
 
   /*
    * Calls `on_node(v, length, arrival)` for lines to vertices, and `on_point(i, length)` for lines
-   * to `points`, or `on_point(i, length, t)` if they are `Segments_by_face`: for those of use to
-   * paths that start with the label `label` here, and that are no longer than `bound(v)` at each
-   * vertex `v` that they could be reached over.
+   * to `points`, or `on_point(i, length, t)` if `for_each_foot()` and `for_each_position()` tell
+   * where the nearest points are: for those of use to paths that start with the label `label` here,
+   * and that are no longer than `bound(v)` at each vertex `v` that they could be reached over.
    */
   template <typename Bound, typename Points, typename OnNode, typename OnPoint>
   void for_each_line(const double label,

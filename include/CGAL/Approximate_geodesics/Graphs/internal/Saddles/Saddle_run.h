@@ -9,9 +9,8 @@
 #include <CGAL/license/Approximate_geodesics.h>
 
 #include <CGAL/Approximate_geodesics/Base/Geodesic_run_base.h>
-#include <CGAL/Approximate_geodesics/Base/internal/Corridor.h>
 #include <CGAL/Approximate_geodesics/Graphs/internal/Saddles/Deferred_sights.h>
-#include <CGAL/Approximate_geodesics/Graphs/internal/Saddles/Lines_from_curve.h>
+#include <CGAL/Approximate_geodesics/Graphs/internal/Saddles/Lines_of_sight.h>
 #include <CGAL/Approximate_geodesics/Graphs/internal/Saddles/Sight_expansion.h>
 #include <CGAL/Approximate_geodesics/Graphs/internal/Saddles/Upper_bounds.h>
 
@@ -106,16 +105,23 @@ public:
   {
   }
 
-  // Limits the next search to a corridor.
-  void limit_to(Corridor corridor) { m_corridor = std::move(corridor); }
+  // Limits the next search to a corridor: to nodes whose labels, and lower bounds of their
+  // distances to the goal, do not add up to more than the limit. These bounds are consistent: those
+  // of two nodes do not differ by more than their distance.
+  void limit_to(std::function<double(Node)> distance_to_goal)
+  {
+    m_distance_to_goal = std::move(distance_to_goal);
+    m_has_corridor = true;
+  }
 
   template <typename Search>
   void start(Search& search)
   {
-    m_distance_to_goal = has_corridor() ? m_corridor.distance_to_goal : search.heuristic();
+    if(!m_has_corridor)
+      m_distance_to_goal = search.heuristic();
     const Bends& bends = graph().m_tables.bends;
     m_bounds.start(Deferred_sights::is_rough(bends) && !has_heuristic());
-    if(has_corridor())
+    if(m_has_corridor)
       m_limit = search.limit(); // the bounds are those of the corridor
     else
       find_bounds(search);
@@ -172,7 +178,7 @@ public:
   template <typename Search>
   void finish(Search& search)
   {
-    if(has_corridor())
+    if(m_has_corridor)
       return;
     constexpr double factor = 1 + 1e-12; // for rounding
     for(const Node node : m_bounds.known_before())
@@ -193,13 +199,13 @@ public:
   void forget(const std::vector<Node>& nodes)
   {
     m_bounds.forget(nodes);
-    m_corridor = Corridor();
+    leave_corridor();
   }
 
   void forget_all()
   {
     m_bounds.forget_all();
-    m_corridor = Corridor();
+    leave_corridor();
   }
 
   std::size_t largest_batch() const
@@ -211,6 +217,13 @@ public:
 
   // How paths arrive at a node that has a label.
   const Arrival& arrival(const Node node) const { return m_arrival[node]; }
+
+  // An upper bound of the label of a node, also during the start of a search.
+  double bound(const Node node) const
+  {
+    const double result = m_bounds[node];
+    return result < infinity ? result : largest_label(node);
+  }
 
   const Sight_tables& tables() const { return graph().m_tables; }
 
@@ -225,19 +238,9 @@ public:
         [](std::size_t, double) {});
   }
 
-  // Calls `f(node, length, arrival, foot)` for the lines from a curve where the search starts, each
-  // from the point `foot` of the curve.
-  template <typename F>
-  void for_each_line_from_curve(const Intrinsic_curve& curve, const double label, F f) const
-  {
-    const auto bound = [&](const Node node) { return this->bound(node); };
-    Lines_from_curve(graph().triangulation(), graph().m_tables)
-        .for_each_line(curve, label, bound, f);
-  }
-
   // Calls `on_node(node, length)` and `on_point(i, length)` for the lines from nodes and from
   // `points` to a point that is not a vertex: for those on paths not longer than `distance`. The
-  // points may be `Segments_by_face`: see `Lines_of_sight`.
+  // points may be others that `Lines_of_sight` supports.
   template <typename Labels, typename Points, typename OnNode, typename OnPoint>
   void for_each_line_to(const Intrinsic_point& point,
                         const double distance,
@@ -311,16 +314,14 @@ private:
     return m_distance_to_goal ? m_limit - m_distance_to_goal(node) : m_limit;
   }
 
-  double bound(const Node node) const
+  void leave_corridor()
   {
-    const double result = m_bounds[node];
-    return result < infinity ? result : largest_label(node);
+    m_distance_to_goal = {};
+    m_has_corridor = false;
   }
 
-  bool has_corridor() const { return m_corridor.is_known(); }
-
   // Whether nodes are not expanded in the order of their labels.
-  bool has_heuristic() const { return m_distance_to_goal && !has_corridor(); }
+  bool has_heuristic() const { return m_distance_to_goal && !m_has_corridor; }
 
   // Continues a part of the sights that the search has reached.
   template <typename Labels, typename Candidates>
@@ -362,7 +363,7 @@ private:
             node, m_arrival[node],
             [&](const Node h) {
               const double label = label_of_node + t.length(h);
-              if(!has_corridor() || label <= bound(t.target(h)) * (1 + Sight::ROUNDING))
+              if(!m_has_corridor || label <= bound(t.target(h)) * (1 + Sight::ROUNDING))
                 visitor.append(t.target(h), t.length(h), Arrival::along(h));
             },
             [&](const Sight& sight, const Node left_end, const Node right_end) {
@@ -408,7 +409,7 @@ private:
   {
     return [this, &labels, largest = distance * (1 + 1e-12), rounding](const Node node) {
       double smallest = (std::min)(largest, labels.distance(node));
-      if(has_corridor()) // there may be shorter paths outside
+      if(m_has_corridor) // there may be shorter paths outside
         smallest = (std::min)(smallest, largest_label(node));
       return largest - smallest + rounding;
     };
@@ -417,8 +418,8 @@ private:
   Upper_bounds m_bounds;
   std::vector<Arrival> m_arrival;                 // meaningful where there is a label
   double m_limit = 0;                             // of labels
-  std::function<double(Node)> m_distance_to_goal; // during a search; empty without a heuristic
-  Corridor m_corridor;                            // of the search, if it has one
+  std::function<double(Node)> m_distance_to_goal; // at least; empty if nothing is known
+  bool m_has_corridor = false;                    // which these lower bounds limit
   Deferred_sights m_sights;
 };
 

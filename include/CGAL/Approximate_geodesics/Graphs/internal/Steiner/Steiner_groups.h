@@ -10,7 +10,7 @@
 
 #include <CGAL/Approximate_geodesics/Base/Arc_changes.h>
 #include <CGAL/Approximate_geodesics/Graphs/internal/Steiner/Steiner_nodes.h>
-#include <CGAL/Approximate_geodesics/Surface/Intrinsic_triangulation.h>
+#include <CGAL/Approximate_geodesics/Surface/triangulation_changes.h>
 
 #include <algorithm>
 #include <cstddef>
@@ -121,18 +121,18 @@ protected:
   void change_weights(const std::vector<Weight_change>& changes)
   {
     m_changes.reserve(changes.size());
-    m_triangulation.set_weights(changes,
-                                [this](const Index h, const double before, const double after) {
-                                  m_may_have_free_arcs = m_may_have_free_arcs || after == 0;
-                                  if(after != before)
-                                    add_change(group_of_face(h), after < before);
-                                });
+    Triangulation_changes(m_triangulation)
+        .set_weights(changes, [this](const Index h, const double before, const double after) {
+          m_may_have_free_arcs = m_may_have_free_arcs || after == 0;
+          if(after != before)
+            add_change(group_of_face(h), after < before);
+        });
   }
 
   void change_barriers(const std::vector<Barrier_change>& changes)
   {
     m_changes.reserve(changes.size());
-    m_triangulation.set_barriers(changes);
+    set_barriers(m_triangulation, changes);
     for(const Barrier_change& change : changes)
       add_change(group_of_barrier(change.halfedge), !change.is_barrier);
   }

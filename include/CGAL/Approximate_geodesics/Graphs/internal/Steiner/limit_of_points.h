@@ -9,14 +9,63 @@
 #include <CGAL/license/Approximate_geodesics.h>
 
 #include <CGAL/Approximate_geodesics/Base/Geodesic_run_base.h>
+#include <CGAL/Approximate_geodesics/Base/internal/messages.h>
+#include <CGAL/Approximate_geodesics/Base/internal/named_parameters.h>
 #include <CGAL/Approximate_geodesics/Surface/Intrinsic_triangulation.h>
+#include <CGAL/number_utils.h>
 
 #include <algorithm>
+#include <cmath>
 #include <cstddef>
 #include <stdexcept>
 #include <string>
 
 namespace CGAL::Approximate_geodesics::internal {
+
+// The maximum number of points on an edge, and whether faces that need more are accepted, with few
+// points and a weaker bound.
+struct Limit_of_points
+{
+  std::size_t number;
+  bool is_soft;
+};
+
+inline std::size_t checked_limit(const double number, const char* const name)
+{
+  constexpr double largest = 4294967296; // one more than a graph may have nodes
+  if(!(number >= 1) || number != std::floor(number) || number > largest)
+    reject(std::string(name) + " is " + text_of(number) + "; it must be an integer from 1 to 2^32");
+  return static_cast<std::size_t>((std::min)(number, largest - 1));
+}
+
+// Reads the parameters of placements with a bound.
+template <typename NamedParameters>
+Limit_of_points limit_of_points(const NamedParameters& np, const std::size_t by_default)
+{
+  static_assert(!is_any_given<NamedParameters, internal_np::number_of_points_per_edge_t,
+                              internal_np::nb_points_per_distance_unit_t>,
+                "Geometric_points and Directional_points read epsilon, which determines the number "
+                "of points: for a number of your own, use Fixed_number_of_points or "
+                "Points_at_interval");
+  const double number = CGAL::to_double(parameters::choose_parameter(
+      parameters::get_parameter(np, internal_np::maximum_number_of_points_per_edge),
+      double(by_default)));
+  return {checked_limit(number, "maximum_number_of_points_per_edge"),
+          parameters::choose_parameter(
+              parameters::get_parameter(np, internal_np::accept_weaker_bound), false)};
+}
+
+// Returns the maximum number of points on all edges, or 0 if it is not given.
+template <typename NamedParameters>
+std::size_t maximum_number_of_points([[maybe_unused]] const NamedParameters& np)
+{
+  if constexpr(is_given<NamedParameters, internal_np::maximum_number_of_points_t>)
+    return checked_limit(
+        CGAL::to_double(parameters::get_parameter(np, internal_np::maximum_number_of_points)),
+        "maximum_number_of_points");
+  else
+    return 0;
+}
 
 // Returns the maximum number of points on all edges together: `given`, or the default if that is 0.
 // The default is enough for small bounds on large meshes, and on small meshes it limits a search to

@@ -65,18 +65,17 @@ private:
   // Windows within cells matter only if borders there are wanted.
   void find_windows(const Search& search)
   {
-    const auto& nodes = search.search();
-    const auto& labels = nodes.labels();
-    Face_windows found(m_triangulation, nodes.graph_run(), labels, m_owners);
+    const Exact_windows windows(search.search());
+    Face_windows found(m_triangulation, windows, m_owners);
     if(!m_options.within_cells)
     {
       for(Index h = 0; h < m_triangulation.number_of_halfedges(); ++h)
         if(!m_triangulation.is_border(h) && m_triangulation.first_of_face(h) == h)
-          m_owners.set(h, source_of_vertices(h, nodes));
-      follow_sights(search, found);
+          m_owners.set(h, source_of_vertices(h, search.search()));
+      follow_windows(search, windows, found);
     }
     found.fix_owners();
-    follow_sights(search, found);
+    follow_windows(search, windows, found);
     m_windows = std::move(found).windows();
   }
 
@@ -93,25 +92,22 @@ private:
   }
 
   // Nearest tips first, so that most of the later windows are seen to be useless at once.
-  template <typename Windows>
-  static void follow_sights(const Search& search, Windows& found)
+  template <typename Windows, typename WindowsOfFaces>
+  static void follow_windows(const Search& search, const Windows& windows, WindowsOfFaces& found)
   {
-    const auto& nodes = search.search();
-    const auto& labels = nodes.labels();
-    const auto& run = nodes.graph_run();
     for(std::size_t i = 0; i < search.sources().size(); ++i)
       if(const Source_point& s = search.sources()[i];
          !s.point.is_vertex() && search.nearest(s.point).source == i)
         found.add_point(s.point, s.distance / search.graph().triangulation().unit(), i);
     std::vector<std::pair<double, Index>> tips;
     for(Index v = 0; v < search.graph().triangulation().number_of_vertices(); ++v)
-      if(labels.is_reached(v) && (run.arrival(v).is_none() || run.tables().bends.is_possible(v)))
-        tips.emplace_back(labels.distance(v), v);
+      if(windows.is_tip(v))
+        tips.emplace_back(windows.label(v), v);
     std::sort(tips.begin(), tips.end());
     for(const auto& tip : tips)
     {
       check_for_interruption();
-      found.add_vertex(tip.second, nodes.source(tip.second));
+      found.add_vertex(tip.second, search.source(tip.second));
     }
   }
 

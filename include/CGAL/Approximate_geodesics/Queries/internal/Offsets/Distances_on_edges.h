@@ -9,8 +9,8 @@
 #include <CGAL/license/Approximate_geodesics.h>
 
 #include <CGAL/Approximate_geodesics/Base/internal/Loop.h>
-#include <CGAL/Approximate_geodesics/Graphs/internal/Saddles/Lines_of_sight.h>
-#include <CGAL/Approximate_geodesics/Graphs/internal/Saddles/angles_at_vertex.h>
+#include <CGAL/Approximate_geodesics/Graphs/internal/Saddles/Exact_windows.h>
+#include <CGAL/Approximate_geodesics/Queries/search_from_curves.h>
 #include <CGAL/Approximate_geodesics/Search/internal/Labels.h>
 #include <CGAL/Approximate_geodesics/Surface/Intrinsic_curve.h>
 #include <CGAL/Approximate_geodesics/Surface/Intrinsic_triangulation.h>
@@ -159,19 +159,20 @@ public:
     : m_search(search),
       m_negligible_error(negligible_error),
       m_triangulation(search.graph().triangulation()),
+      m_windows(search.search()),
       m_labels(search.search().labels()),
       m_slopes(m_triangulation.number_of_halfedges(), std::numeric_limits<double>::quiet_NaN()),
       m_straight(m_triangulation.number_of_vertices(), infinity)
   {
-    const auto& run = search.search().graph_run();
-    const std::vector<Point_key> ends = ends_of_segments(search.curves());
+    const std::vector<Point_key> ends = ends_of_segments(curves_of(search));
     for(Index v = 0; v < m_triangulation.number_of_vertices(); ++v)
     {
       check_for_interruption_at(v);
       if(m_labels.is_reached(v))
       {
         set_straight(v, ends);
-        set_slopes(v, run.arrival(v), run.tables().steps);
+        m_windows.for_each_slope(v,
+                                 [&](const Index h, const double slope) { m_slopes[h] = slope; });
       }
     }
   }
@@ -239,16 +240,11 @@ private:
     else if(const auto path = m_search.nearest(Intrinsic_point::at_vertex(v));
             path.is_reached() &&
             (ends.empty() || std::binary_search(ends.begin(), ends.end(), key(path.start))))
-      m_straight[v] = m_labels.distance(v) - initial_distance(path.source) / m_triangulation.unit();
+      m_straight[v] =
+          m_labels.distance(v) - m_search.initial_distance(path.source) / m_triangulation.unit();
   }
 
-  double initial_distance(const std::size_t source) const
-  {
-    return m_search.curves().empty() ? m_search.sources()[source].distance
-                                     : m_search.curves()[source].distance;
-  }
-
-  // Follows the sights from a point to edges with known distances.
+  // Follows the windows from a point to edges with known distances.
   struct Visitor : Sight_visitor_base
   {
     static constexpr bool ends_sights = true;
@@ -290,17 +286,15 @@ private:
       return m_labels.distance(point.vertex);
     if(!(largest < infinity))
       return infinity;
-    const Sight_tables& tables = m_search.search().graph_run().tables();
     Visitor visitor{{}, *this, largest * (1 + Sight::ROUNDING)};
-    Sight_expansion<Visitor> expansion(tables, 0, visitor);
-    const Lines_of_sight lines(m_triangulation, tables, point);
-    const auto on_corner = [&](const Index v, const double length, const Arrival&) {
-      visitor.consider(m_labels.distance(v) + length);
-    };
-    lines.for_each_corner(on_corner);
-    lines.for_each_sight([&](const Sight& sight, const Index left_end, const Index right_end) {
-      expansion.look(sight, left_end, right_end);
-    });
+    m_windows.follow_from_point(
+        point, 0,
+        [&](const Index side, const Face_point& p, Plane_vector /* start */,
+            Plane_vector /* end */) {
+          visitor.consider(m_labels.distance(m_triangulation.source(side)) +
+                           internal::distance(m_triangulation, p, Face_point::at_source(side)));
+        },
+        visitor);
     return visitor.is_known && visitor.smallest <= largest ? visitor.smallest : infinity;
   }
 
@@ -354,17 +348,10 @@ private:
     return result;
   }
 
-  void set_slopes(const Index v, const Arrival& arrival, const Face_steps& steps)
-  {
-    if(!arrival.is_none() && (arrival.is_along_halfedge() || arrival.has_direction()))
-      Bend_sectors(m_triangulation, steps, v)
-          .for_each_cosine(arrival,
-                           [&](const Index h, const double cosine) { m_slopes[h] = -cosine; });
-  }
-
   const Search& m_search;
   const double m_negligible_error;
   const Intrinsic_triangulation& m_triangulation;
+  const Exact_windows<typename Search::Search> m_windows;
   const Labels& m_labels;
   std::vector<double> m_slopes;   // by halfedge, at its source
   std::vector<double> m_straight; // by vertex: the length of the last line of the path to it

@@ -14,6 +14,7 @@
 #include <CGAL/Approximate_geodesics/Queries/internal/Offsets/Distances_on_edges.h>
 #include <CGAL/Approximate_geodesics/Queries/internal/Offsets/Offset_lines.h>
 #include <CGAL/Approximate_geodesics/Queries/internal/Offsets/Offset_piece.h>
+#include <CGAL/Approximate_geodesics/Queries/search_from_curves.h>
 #include <CGAL/Approximate_geodesics/Surface/Intrinsic_curve.h>
 
 #include <algorithm>
@@ -109,7 +110,7 @@ private:
   std::vector<bool> faces_of_sources() const
   {
     std::vector<bool> result(m_triangulation.number_of_halfedges());
-    for(const Intrinsic_curve& curve : m_search.curves())
+    for(const Intrinsic_curve& curve : curves_of(m_search))
       for(const Index h : curve.faces)
         result[m_triangulation.first_of_face(h)] = true;
     return result;
