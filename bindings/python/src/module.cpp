@@ -17,6 +17,7 @@
 #include "walks.h"
 
 #include <CGAL/Approximate_geodesics/Solver/Solver.h>
+#include <CGAL/Approximate_geodesics/Solver/Solver_pairs.h>
 
 #include <pybind11/pybind11.h>
 #include <pybind11/stl.h>
@@ -189,9 +190,10 @@ Array<double> pair_distances(const AG::Solver& solver,
                                        : std::vector<py::ssize_t>{pairs.size()});
   double* const data = result.mutable_data();
   const auto find =
-      wants_intervals ? &AG::Solver::find_pair_intervals : &AG::Solver::find_pair_distances;
+      wants_intervals ? &AG::Solver_pairs::find_intervals : &AG::Solver_pairs::find_distances;
   run(progress, [&](const AG::Solver_watch& watch) {
-    (solver.*find)(pairs.sources, pairs.targets, data, {maximum_distance, false, threads}, watch);
+    (AG::Solver_pairs(solver).*find)(pairs.sources, pairs.targets, data,
+                                     {maximum_distance, false, threads}, watch);
   });
   return result;
 }
@@ -210,8 +212,8 @@ py::tuple paths(const AG::Solver& solver,
   Array<double> lengths(pairs.size());
   double* const data = lengths.mutable_data();
   auto found = run(progress, [&](const AG::Solver_watch& watch) {
-    return solver.find_paths(pairs.sources, pairs.targets, data,
-                             {maximum_distance, straighten, threads}, watch);
+    return AG::Solver_pairs(solver).find_paths(pairs.sources, pairs.targets, data,
+                                               {maximum_distance, straighten, threads}, watch);
   });
   py::list result;
   for(auto& path : found)

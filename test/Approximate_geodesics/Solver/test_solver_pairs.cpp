@@ -3,7 +3,7 @@
 //
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-#include <CGAL/Approximate_geodesics/Solver/Solver.h>
+#include <CGAL/Approximate_geodesics/Solver/Solver_pairs.h>
 
 #include "checks/expect_message.h"
 #include "checks/solvers.h"
@@ -43,7 +43,7 @@ protected:
   std::vector<double> distances(const Solver& solver) const
   {
     std::vector<double> result(m_sources.size());
-    solver.find_pair_distances(m_sources, m_targets, result.data());
+    AG::Solver_pairs(solver).find_distances(m_sources, m_targets, result.data());
     return result;
   }
 
@@ -89,7 +89,7 @@ TEST_F(Solver_pairs, may_be_prepared)
     solver.prepare_pairs(3);
     EXPECT_GT(solver.memory(), memory);
     const std::vector<double> found = distances(solver);
-    solver.find_pair_intervals(m_sources, m_targets, intervals.data());
+    AG::Solver_pairs(solver).find_intervals(m_sources, m_targets, intervals.data());
     for(std::size_t i = 0; i < found.size(); ++i)
     {
       EXPECT_TRUE(found[i] == expected[i] || std::abs(found[i] / expected[i] - 1) < 1e-12);
@@ -109,7 +109,7 @@ TEST_F(Solver_pairs, have_intervals)
        static_cast<const Solver*>(&along_edges)})
   {
     std::vector<double> ends(2 * expected.size());
-    solver->find_pair_intervals(m_sources, m_targets, ends.data());
+    AG::Solver_pairs(*solver).find_intervals(m_sources, m_targets, ends.data());
     for(std::size_t i = 0; i < expected.size(); ++i)
     {
       EXPECT_LE(ends[2 * i], expected[i]);
@@ -130,11 +130,11 @@ TEST_F(Solver_pairs, have_intervals_that_are_prepared)
       options.face_weights = has_weights ? weights.data() : nullptr;
       Solver_of solver(m_arrays, options);
       std::vector<double> searched(2 * m_sources.size()), read = searched;
-      solver.find_pair_intervals(m_sources, m_targets, searched.data());
+      AG::Solver_pairs(solver).find_intervals(m_sources, m_targets, searched.data());
       const std::size_t memory = solver.memory();
       solver.prepare_intervals(epsilon_of_labels);
       EXPECT_GT(solver.memory(), memory);
-      solver.find_pair_intervals(m_sources, m_targets, read.data());
+      AG::Solver_pairs(solver).find_intervals(m_sources, m_targets, read.data());
       const double factor = (1 + epsilon_of_labels) * (1 + epsilon.value_or(0)) * 1.00001;
       for(std::size_t i = 0; i < read.size(); i += 2)
       {
@@ -149,7 +149,7 @@ TEST_F(Solver_pairs, have_intervals_that_are_prepared)
       std::iota(faces.begin(), faces.end(), 0);
       const std::vector<double> doubled(weights.size(), 4);
       solver.set_weights(faces.data(), doubled.data(), faces.size());
-      solver.find_pair_intervals(m_sources, m_targets, read.data());
+      AG::Solver_pairs(solver).find_intervals(m_sources, m_targets, read.data());
       for(std::size_t i = 1; i < read.size(); i += 2)
         EXPECT_EQ(read[i], 2 * searched[i]);
     }
@@ -176,13 +176,13 @@ TEST_F(Solver_pairs, have_intervals_that_are_prepared_in_a_range)
   solver.prepare_intervals(0.01);
   const double distance = distances(unprepared).front();
   std::vector<double> searched(2 * m_sources.size()), read = searched, unlimited = searched;
-  solver.find_pair_intervals(m_sources, m_targets, unlimited.data());
+  AG::Solver_pairs(solver).find_intervals(m_sources, m_targets, unlimited.data());
   for(const double range : {0., distance / 2, 2 * distance})
   {
     AG::Solver_pair_options options;
     options.maximum_distance = range;
-    unprepared.find_pair_intervals(m_sources, m_targets, searched.data(), options);
-    solver.find_pair_intervals(m_sources, m_targets, read.data(), options);
+    AG::Solver_pairs(unprepared).find_intervals(m_sources, m_targets, searched.data(), options);
+    AG::Solver_pairs(solver).find_intervals(m_sources, m_targets, read.data(), options);
     for(const std::size_t end : {0u, 1u})
     {
       EXPECT_EQ(read[end], range > distance ? unlimited[end] : searched[end]);
@@ -198,7 +198,7 @@ TEST_F(Solver_pairs, have_paths)
   const Solver_of solver(m_arrays, bound(0.2));
   const std::vector<double> expected = distances(solver);
   std::vector<double> lengths(m_sources.size());
-  const auto paths = solver.find_paths(m_sources, m_targets, lengths.data());
+  const auto paths = AG::Solver_pairs(solver).find_paths(m_sources, m_targets, lengths.data());
   ASSERT_EQ(paths.size(), lengths.size());
   for(std::size_t i = 0; i < paths.size(); ++i)
   {
@@ -221,7 +221,7 @@ TEST_F(Solver_pairs, have_paths)
   AG::Solver_pair_options options;
   options.straighten = true;
   std::vector<double> straight(m_sources.size());
-  solver.find_paths(m_sources, m_targets, straight.data(), options);
+  AG::Solver_pairs(solver).find_paths(m_sources, m_targets, straight.data(), options);
   for(std::size_t i = 0; i < straight.size(); ++i)
     EXPECT_LE(straight[i], lengths[i]);
 }
@@ -236,7 +236,7 @@ TEST_F(Solver_pairs, may_be_limited_and_end_early)
   for(const std::size_t threads : {1u, 2u})
   {
     options.number_of_threads = threads;
-    solver.find_pair_distances(m_sources, m_targets, near.data(), options);
+    AG::Solver_pairs(solver).find_distances(m_sources, m_targets, near.data(), options);
     for(std::size_t i = 0; i < all.size(); ++i)
       EXPECT_EQ(near[i], all[i] <= options.maximum_distance
                              ? all[i]
@@ -247,7 +247,7 @@ TEST_F(Solver_pairs, may_be_limited_and_end_early)
                                  number_done = done;
                                  number = of;
                                }};
-  solver.find_pair_distances(m_sources, m_targets, near.data(), {}, watch);
+  AG::Solver_pairs(solver).find_distances(m_sources, m_targets, near.data(), {}, watch);
   EXPECT_EQ(number_done, 3u);
   EXPECT_EQ(number, 3u);
 }
@@ -258,12 +258,13 @@ TEST_F(Solver_pairs, are_refused_by_their_number)
   double distance = 0;
   const Points vertices{Solver_point::at_vertex(0), Solver_point::at_vertex(-1)};
   expect_refused("the source of pair 1 is vertex -1", [&] {
-    solver.find_pair_distances(vertices, {vertices[0], vertices[0]}, &distance);
+    AG::Solver_pairs(solver).find_distances(vertices, {vertices[0], vertices[0]}, &distance);
   });
   expect_refused("the target of pair 0 is vertex -1",
-                 [&] { solver.find_paths({vertices[0]}, {vertices[1]}); });
-  expect_refused("pairs have 2 sources and 1 targets",
-                 [&] { solver.find_pair_intervals(vertices, {vertices[0]}, &distance); });
+                 [&] { AG::Solver_pairs(solver).find_paths({vertices[0]}, {vertices[1]}); });
+  expect_refused("pairs have 2 sources and 1 targets", [&] {
+    AG::Solver_pairs(solver).find_intervals(vertices, {vertices[0]}, &distance);
+  });
 }
 
 } // namespace

@@ -8,7 +8,7 @@
 
 #include <CGAL/license/Approximate_geodesics.h>
 
-#include <CGAL/Approximate_geodesics/Queries/internal/query_parameters.h>
+#include <CGAL/Approximate_geodesics/Queries/internal/compiled_searches.h>
 #include <CGAL/Approximate_geodesics/Queries/trace_geodesic.h>
 
 #include <algorithm>

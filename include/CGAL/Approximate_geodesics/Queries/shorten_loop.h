@@ -12,7 +12,7 @@
 #include <CGAL/Approximate_geodesics/Mesh/Triangulation_builder.h>
 #include <CGAL/Approximate_geodesics/Paths/Loop_straightener.h>
 #include <CGAL/Approximate_geodesics/Paths/internal/Cut_graph.h>
-#include <CGAL/Approximate_geodesics/Queries/internal/query_parameters.h>
+#include <CGAL/Approximate_geodesics/Queries/internal/compiled_searches.h>
 
 #include <cmath>
 #include <cstddef>

@@ -10,8 +10,8 @@
 
 #include <CGAL/Approximate_geodesics/Base/Geodesic_run_base.h>
 #include <CGAL/Approximate_geodesics/Parts/internal/Mesh_part.h>
+#include <CGAL/Approximate_geodesics/Queries/internal/compiled_searches.h>
 #include <CGAL/Approximate_geodesics/Queries/internal/other_sources.h>
-#include <CGAL/Approximate_geodesics/Queries/internal/query_parameters.h>
 
 #include <algorithm>
 #include <cstddef>

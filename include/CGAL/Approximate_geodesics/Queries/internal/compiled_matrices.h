@@ -10,7 +10,7 @@
 
 #include <CGAL/Approximate_geodesics/Graphs/Discrete_geodesic_graph.h>
 #include <CGAL/Approximate_geodesics/Matrices/internal/distance_matrix.h>
-#include <CGAL/Approximate_geodesics/Queries/internal/query_parameters.h>
+#include <CGAL/Approximate_geodesics/Queries/internal/compiled_searches.h>
 
 // What programs can compile once for matrices and lists of pairs, as `compiled_searches.h` does for
 // searches.

@@ -180,6 +180,4 @@ auto with_graph(const TriangleMesh& tmesh,
 
 } // namespace CGAL::Approximate_geodesics::internal
 
-#include <CGAL/Approximate_geodesics/Queries/internal/compiled_searches.h>
-
 #endif // CGAL_APPROXIMATE_GEODESICS_QUERIES_INTERNAL_QUERY_PARAMETERS_H

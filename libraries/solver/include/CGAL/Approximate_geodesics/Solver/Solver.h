@@ -13,10 +13,9 @@
 #include <CGAL/Approximate_geodesics/Matrices/Rows_in_memory.h>
 #include <CGAL/Approximate_geodesics/Mesh/Mesh_translation.h>
 #include <CGAL/Approximate_geodesics/Paths/Path.h>
-#include <CGAL/Approximate_geodesics/Paths/Point_pairs.h>
 #include <CGAL/Approximate_geodesics/Paths/Vertex_positions.h>
 #include <CGAL/Approximate_geodesics/Queries/gradient.h>
-#include <CGAL/Approximate_geodesics/Queries/internal/query_parameters.h>
+#include <CGAL/Approximate_geodesics/Queries/internal/compiled_searches.h>
 #include <CGAL/Approximate_geodesics/Queries/isolines.h>
 #include <CGAL/Approximate_geodesics/Queries/voronoi_partition.h>
 #include <CGAL/Approximate_geodesics/Solver/Solver_options.h>
@@ -103,6 +102,8 @@ void with_threads([[maybe_unused]] const std::size_t number, const F& f)
  */
 class Solver
 {
+  friend class Solver_pairs;
+
 public:
   /// the type of the mesh: a `Triangle_soup_mesh` on arrays of the solver.
   using Mesh = internal::Array_mesh;
@@ -345,9 +346,9 @@ public:
 
   /*!
    * prepares for very many intervals, until weights or barriers change: makes `Portal_labels`, from
-   * which `find_pair_intervals()` reads those of pairs of vertices, without a search. The quotient
-   * of their ends is larger by a factor of up to `1 + epsilon`. If this fails, intervals that were
-   * prepared before stay. No other thread may use the solver meanwhile.
+   * which `Solver_pairs::find_intervals()` reads those of pairs of vertices, without a search. The
+   * quotient of their ends is larger by a factor of up to `1 + epsilon`. If this fails, intervals
+   * that were prepared before stay. No other thread may use the solver meanwhile.
    *
    * \throws std::invalid_argument as the constructor of `Portal_labels` does, and if distances are
    *         exact.
@@ -435,50 +436,6 @@ public:
                      });
     return length_of(path);
   }
-
-  /*!
-   * finds the distances from sources to targets, the first source to the first target and so on.
-   * Pairs with the same source share a search.
-   *
-   * \param sources the sources
-   * \param targets as many targets
-   * \param distances receives one number per pair, infinity if the target is not reached
-   * \param options the range of the searches, and the number of threads
-   * \param watch is called during the run
-   */
-  void find_pair_distances(const std::vector<Solver_point>& sources,
-                           const std::vector<Solver_point>& targets,
-                           double* const distances,
-                           const Solver_pair_options& options = Solver_pair_options(),
-                           const Solver_watch& watch = Solver_watch()) const;
-
-  /// finds intervals that contain the distances on the surface: writes the lower and the upper end
-  /// for each pair. The lower end is `0` if there is no error bound. If the target is beyond the
-  /// range of the searches, they are the range, divided by `1 + error_bound()`, and infinity; an
-  /// interval that is read without a search stays as it is unless it proves that. See also
-  /// `prepare_intervals()`.
-  void find_pair_intervals(const std::vector<Solver_point>& sources,
-                           const std::vector<Solver_point>& targets,
-                           double* ends,
-                           const Solver_pair_options& options = Solver_pair_options(),
-                           const Solver_watch& watch = Solver_watch()) const;
-
-  /*!
-   * returns the points of a shortest path from each source to its target, three coordinates each.
-   * If there is no path, it has no points.
-   *
-   * \param sources the sources
-   * \param targets as many targets
-   * \param lengths if not null, receives the length of each path, infinity if there is none
-   * \param options the range of the searches, the kind of paths, and the number of threads
-   * \param watch is called during the run
-   */
-  std::vector<std::vector<double>>
-  find_paths(const std::vector<Solver_point>& sources,
-             const std::vector<Solver_point>& targets,
-             double* const lengths = nullptr,
-             const Solver_pair_options& options = Solver_pair_options(),
-             const Solver_watch& watch = Solver_watch()) const;
 
   /// @}
 
@@ -648,14 +605,6 @@ private:
     internal::with_threads(number > 0 ? number : m_number_of_threads, f);
   }
 
-  // Calls `f(pairs, visitor)`.
-  template <typename F>
-  void with_pairs(const std::vector<Solver_point>& sources,
-                  const std::vector<Solver_point>& targets,
-                  const Solver_pair_options& options,
-                  const Solver_watch& watch,
-                  const F& f) const;
-
   static double length_of(const Path& path)
   {
     return path.points.empty() ? std::numeric_limits<double>::infinity() : path.length;
@@ -673,9 +622,6 @@ private:
           write(m_translation->point(*point, get(vertex_point, m_mesh), Simple_cartesian<double>()),
                 next);
   }
-
-  std::vector<Point_pair> pairs(const std::vector<Solver_point>& sources,
-                                const std::vector<Solver_point>& targets) const;
 
   std::vector<Intrinsic_point> intrinsic_points(const std::vector<Solver_point>& points,
                                                 const std::string& kind) const
@@ -756,7 +702,5 @@ private:
 };
 
 } // namespace CGAL::Approximate_geodesics
-
-#include <CGAL/Approximate_geodesics/Solver/internal/solver_pairs.h>
 
 #endif // CGAL_APPROXIMATE_GEODESICS_SOLVER_SOLVER_H

@@ -25,8 +25,8 @@
 #include <CGAL/Approximate_geodesics/Paths/internal/surface_graph.h>
 #include <CGAL/Approximate_geodesics/Queries/farthest_point_sampling.h>
 #include <CGAL/Approximate_geodesics/Queries/internal/compiled_pairs.h>
+#include <CGAL/Approximate_geodesics/Queries/internal/compiled_searches.h>
 #include <CGAL/Approximate_geodesics/Queries/internal/find_pairs.h>
-#include <CGAL/Approximate_geodesics/Queries/internal/query_parameters.h>
 #include <CGAL/Approximate_geodesics/Solver/internal/Solver_graph.h>
 #include <CGAL/Approximate_geodesics/Surface/Intrinsic_triangulation.h>
 #include <CGAL/Geodesic_costs.h>
