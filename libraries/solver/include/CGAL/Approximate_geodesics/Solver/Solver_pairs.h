@@ -22,7 +22,7 @@
 namespace CGAL::Approximate_geodesics {
 
 /*!
- * \ingroup PkgApproximateGeodesicsArrays
+ * \ingroup PkgGeodesicLibrariesArrays
  *
  * Lists of pairs of points on the surface of a `Solver`: the first source and the first target, and
  * so on. Pairs with the same source share a search. The header is not part of `Solver.h`, as
