@@ -9,7 +9,6 @@
 #include <CGAL/license/Approximate_geodesics.h>
 
 #include <CGAL/Approximate_geodesics/Base/Arc_lengths.h>
-#include <CGAL/Approximate_geodesics/Graphs/Discrete_geodesic_graph.h>
 #include <CGAL/Approximate_geodesics/Graphs/Edge_graph.h>
 #include <CGAL/Approximate_geodesics/Graphs/internal/Saddles/Lines_of_sight.h>
 #include <CGAL/Approximate_geodesics/Graphs/internal/Saddles/Saddle_run.h>
@@ -21,6 +20,8 @@
 #include <utility>
 
 namespace CGAL::Approximate_geodesics {
+
+class Discrete_geodesic_graph; // is needed for pairs only
 
 /*!
  * \ingroup PkgApproximateGeodesicsGraphs

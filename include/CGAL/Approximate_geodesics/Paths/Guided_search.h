@@ -114,7 +114,9 @@ public:
 private:
   using Corridor_finder = internal::Corridor_finder<Landmarks>;
 
-  bool run_in_corridor(const Intrinsic_point& target,
+  template <typename Finder>
+  bool run_in_corridor(Finder& finder,
+                       const Intrinsic_point& target,
                        const Intrinsic_point& source,
                        double maximum_distance);
 
@@ -152,7 +154,8 @@ void Guided_search<SurfaceGraph, PriorityQueue>::run_to(const Intrinsic_point& t
     if constexpr(has_corridors)
     {
       if(sources.size() == 1 && sources[0].distance == 0 && sources[0].point.is_valid(t) &&
-         maximum_distance >= 0 && run_in_corridor(target, sources[0].point, maximum_distance))
+         maximum_distance >= 0 &&
+         run_in_corridor(*m_guide, target, sources[0].point, maximum_distance))
         return;
     }
     else if constexpr(internal::has_asymmetry<SurfaceGraph>)
@@ -164,12 +167,14 @@ void Guided_search<SurfaceGraph, PriorityQueue>::run_to(const Intrinsic_point& t
 // Runs to the target within its corridor. Returns whether the result is final: where faces are
 // numerically degenerate, all paths in the corridor may be too long.
 template <typename SurfaceGraph, typename PriorityQueue>
-bool Guided_search<SurfaceGraph, PriorityQueue>::run_in_corridor(const Intrinsic_point& target,
+template <typename Finder>
+bool Guided_search<SurfaceGraph, PriorityQueue>::run_in_corridor(Finder& finder,
+                                                                 const Intrinsic_point& target,
                                                                  const Intrinsic_point& source,
                                                                  const double maximum_distance)
 {
   this->run({}); // the last corridor is no longer valid
-  internal::Corridor corridor = m_guide->find(source, target);
+  internal::Corridor corridor = finder.find(source, target);
   if(!corridor.is_known())
     return false;
   const double limit = (std::min)(maximum_distance, corridor.length * this->graph().unit());

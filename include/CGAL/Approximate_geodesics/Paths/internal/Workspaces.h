@@ -68,10 +68,8 @@ private:
   {
     const std::lock_guard lock(m_mutex);
     if(!are_changes_known(m_graph, m_number_of_changes))
-    {
       m_searches.clear();
-      m_number_of_changes = number_of_changes(m_graph);
-    }
+    m_number_of_changes = number_of_changes(m_graph);
     if(m_searches.empty())
     {
       m_searches.reserve(++m_number); // so that put_back() cannot throw
@@ -95,7 +93,7 @@ private:
   std::function<void(Search&)> m_set_up;
   std::vector<Pointer> m_searches;
   std::size_t m_number = 0;
-  std::size_t m_number_of_changes = number_of_changes(m_graph); // that workspaces know
+  std::size_t m_number_of_changes = number_of_changes(m_graph); // when one was last borrowed
   mutable std::mutex m_mutex;
 };
 
