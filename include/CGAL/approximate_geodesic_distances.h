@@ -118,8 +118,9 @@ void write_distances(const TriangleMesh& tmesh,
  *                           and cross edges at these points. There is no error bound.}
  *     \cgalParamType{an integer type}
  *     \cgalParamDefault{none: paths run along edges}
- *     \cgalParamExtra{It excludes `epsilon`. As this is a parameter of \cgal, a chain with
- *                     parameters of this package must start with one of these, as in
+ *     \cgalParamExtra{It excludes `epsilon`, and needs the header `CGAL/Geodesic_costs.h`. As this
+ *                     is a parameter of \cgal, a chain with parameters of this package must start
+ *                     with one of these, as in
  *                     `face_weight_map(weights).number_of_points_per_edge(1)`; see \ref AG_chains.}
  *   \cgalParamNEnd
  *   \cgalParamNBegin{max_slope}
@@ -128,6 +129,7 @@ void write_distances(const TriangleMesh& tmesh,
  *                           then; see `Approximate_geodesics::Directional_graph`.}
  *     \cgalParamType{a number type convertible by `CGAL::to_double()`}
  *     \cgalParamDefault{infinity: there is no limit}
+ *     \cgalParamExtra{Needs the header `CGAL/Geodesic_costs.h`.}
  *   \cgalParamNEnd
  *   \cgalParamNBegin{face_weight_map}
  *     \cgalParamDescription{a property map associating weights to the faces of `tmesh`: the cost of
@@ -140,7 +142,8 @@ void write_distances(const TriangleMesh& tmesh,
  *                    `Approximate_geodesics::directional_cost()`, for costs that depend on the
  *                    direction}
  *     \cgalParamDefault{unused: all faces have weight `1`}
- *     \cgalParamExtra{Lengths and distances are then costs.}
+ *     \cgalParamExtra{Lengths and distances are then costs. Needs the header
+ *                     `CGAL/Geodesic_costs.h`.}
  *   \cgalParamNEnd
  *   \cgalParamNBegin{direction_to_source}
  *     \cgalParamDescription{whether to compute distances to the sources instead of from them, if
@@ -156,6 +159,7 @@ void write_distances(const TriangleMesh& tmesh,
  *                    `boost::graph_traits<TriangleMesh>::%edge_descriptor` as key type and
  *                    `bool` as value type}
  *     \cgalParamDefault{unused: no edge is a barrier}
+ *     \cgalParamExtra{Needs the header `CGAL/Geodesic_costs.h`.}
  *   \cgalParamNEnd
  *   \cgalParamNBegin{maximum_number_of_points}
  *     \cgalParamDescription{the maximum number of points on all edges together, for the bound

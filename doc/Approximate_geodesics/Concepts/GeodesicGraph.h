@@ -117,7 +117,8 @@ public:
 
   /// \name Optional, for Arcs That Cost Nothing
   /// If lengths are costs, many paths can cost the same. With these members,
-  /// `Propagation::predecessor()` tells those whose free parts are shortest.
+  /// `Propagation::predecessor()` tells those whose free parts are shortest. The header
+  /// `CGAL/Geodesic_costs.h` has to be included.
   /// @{
 
   /// returns whether there may be arcs that cost nothing.
@@ -134,7 +135,7 @@ public:
   /// \name Optional, for Repairs
   /// `Propagation::repair()` needs groups of nodes, such that the groups of a node contain the
   /// other ends of all arcs that start from it, and of all that lead to it. A graph with a `Run` is
-  /// not repaired.
+  /// not repaired. The header `CGAL/Geodesic_costs.h` has to be included.
   /// @{
 
   /// returns the number of groups, which are numbered from `0` on.

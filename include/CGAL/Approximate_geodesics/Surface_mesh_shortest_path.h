@@ -774,11 +774,13 @@ private:
   // Finds the same distances as a new search, whether or not it repairs the results of the last.
   void update(std::vector<Source_point> sources)
   {
-    Geodesic_visitor_base visitor; // as in the compiled searches
     if constexpr(internal::can_continue<Search>)
       m_search.search().repair(std::move(sources));
     else
+    {
+      Geodesic_visitor_base visitor; // as in the compiled searches
       m_search.search().run(std::move(sources), {}, visitor);
+    }
   }
 
   // Calls `change(reader)`, where the reader translates changes in terms of the mesh.

@@ -206,7 +206,8 @@ public:
    * too many halfedges for 32-bit indices.
    *
    * Run time and memory are \cgalBigO{n} for `n` vertices. The header
-   * `CGAL/Approximate_geodesics/Mesh/Triangulation_builder.h` has to be included.
+   * `CGAL/Approximate_geodesics/Mesh/Triangulation_builder.h` has to be included, and
+   * `CGAL/Geodesic_costs.h` for weights, limits of slopes, and barriers.
    */
   template <typename TriangleMesh, typename NamedParameters = parameters::Default_named_parameters>
   explicit Intrinsic_triangulation(const TriangleMesh& tmesh,

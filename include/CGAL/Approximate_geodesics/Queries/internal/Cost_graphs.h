@@ -40,13 +40,13 @@ public:
                   "epsilon and number_of_points_per_edge: only one of them can be given");
     if constexpr(has_directional_cost<NamedParameters>)
       return f(directional_graph(std::move(triangulation), np));
-    else if constexpr(has_number)
-      return f(Steiner_graph<Fixed_number_of_points>(std::move(triangulation), np));
-    else if constexpr(has_epsilon)
-      return f(Steiner_graph<Geometric_points>(std::move(triangulation), np));
-    else
+    else if constexpr(has_number == has_epsilon) // neither is given
       return f(Steiner_graph<Fixed_number_of_points>(std::move(triangulation),
                                                      Fixed_number_of_points(0)));
+    else if constexpr(has_number)
+      return f(Steiner_graph<Fixed_number_of_points>(std::move(triangulation), np));
+    else
+      return f(Steiner_graph<Geometric_points>(std::move(triangulation), np));
   }
 
   // Returns whether a graph may have the given number of points per edge.
