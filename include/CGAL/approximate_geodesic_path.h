@@ -10,6 +10,7 @@
 
 #include <CGAL/Approximate_geodesics/Paths/Path.h>
 #include <CGAL/Approximate_geodesics/Queries/internal/Mesh_search.h>
+#include <CGAL/Approximate_geodesics/Queries/internal/straighten.h>
 #include <CGAL/Approximate_geodesics/Surface/Intrinsic_point.h>
 
 #include <optional>
@@ -36,7 +37,7 @@ double write_path(const TriangleMesh& tmesh,
     const double distance = search.search().distance(end);
     if(distance <= limit)
     {
-      const Path path = search.find_path(end, np);
+      const Path path = find_path(search, end, np);
       for(auto p = path.points.rbegin(); p != path.points.rend(); ++p)
         *points++ = search.point(*p, np);
       length = path.points.empty() ? infinity : path.length;

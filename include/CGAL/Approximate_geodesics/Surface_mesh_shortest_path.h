@@ -17,6 +17,7 @@
 #include <CGAL/Approximate_geodesics/Paths/Path.h>
 #include <CGAL/Approximate_geodesics/Paths/Surface_search.h>
 #include <CGAL/Approximate_geodesics/Queries/internal/Mesh_search.h>
+#include <CGAL/Approximate_geodesics/Queries/internal/straighten.h>
 #include <CGAL/Approximate_geodesics/Queues/Adaptive_bucket_queue.h>
 #include <CGAL/Approximate_geodesics/Search/Propagation.h>
 #include <CGAL/Approximate_geodesics/Surface/Intrinsic_triangulation.h>
@@ -708,7 +709,7 @@ private:
     Shortest_path_result result = shortest_distance(p);
     if(result.second == source_points_end())
       return result;
-    const Path path = m_search.find_path(p, np);
+    const Path path = internal::find_path(m_search, p, np);
     std::for_each(path.points.begin(), path.points.end(), f);
     result.first = path.length + result.second.base()->source.distance;
     return result;
@@ -746,8 +747,8 @@ private:
                             F f)
   {
     const Intrinsic_point end = run_between(source, target, np);
-    const Path path =
-        internal::from_source_to_target(m_graph, m_pair_search->search.find_path(end, np));
+    const Path path = internal::from_source_to_target(
+        m_graph, internal::find_path(m_pair_search->search, end, np));
     std::for_each(path.points.begin(), path.points.end(), f);
     return path.points.empty() ? -1 : path.length;
   }

@@ -13,6 +13,7 @@
 #include <CGAL/Approximate_geodesics/Paths/Path.h>
 #include <CGAL/Approximate_geodesics/Queries/internal/compiled_pairs.h>
 #include <CGAL/Approximate_geodesics/Queries/internal/find_pairs.h>
+#include <CGAL/Approximate_geodesics/Queries/internal/straighten.h>
 #include <CGAL/Approximate_geodesics/Surface_mesh_shortest_path.h>
 
 #include <cstddef>

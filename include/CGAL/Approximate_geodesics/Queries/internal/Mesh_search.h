@@ -146,15 +146,6 @@ public:
       return Vertex_positions();
   }
 
-  // Returns the path from `point` to its nearest source.
-  template <typename NamedParameters>
-  Path find_path(const Intrinsic_point& point, const NamedParameters& np) const
-  {
-    Path result = m_search.find_path(point);
-    straighten_if_wanted(m_search.graph().triangulation(), np, result);
-    return result;
-  }
-
   template <typename NamedParameters>
   Point point(const Intrinsic_point& p, const NamedParameters& np) const
   {

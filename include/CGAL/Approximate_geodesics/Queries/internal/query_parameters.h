@@ -13,7 +13,6 @@
 #include <CGAL/Approximate_geodesics/Graphs/Lazy_discrete_geodesic_graph.h>
 #include <CGAL/Approximate_geodesics/Graphs/Saddle_vertex_graph.h>
 #include <CGAL/Approximate_geodesics/Mesh/Triangulation_builder.h>
-#include <CGAL/Approximate_geodesics/Paths/Path_straightener.h>
 #include <CGAL/Approximate_geodesics/Paths/Surface_search.h>
 
 #include <cstddef>
@@ -80,23 +79,6 @@ void set_initial_distances([[maybe_unused]] const NamedParameters& np,
       reject("there are " + std::to_string(number) + " initial distances, and " +
              std::to_string(sources.size()) + " sources; there must be one for each of them");
   }
-}
-
-// Straightens a path if the named parameters request it.
-template <typename NamedParameters>
-void straighten_if_wanted([[maybe_unused]] const Intrinsic_triangulation& triangulation,
-                          [[maybe_unused]] const NamedParameters& np,
-                          [[maybe_unused]] Path& path)
-{
-  if constexpr(is_given<NamedParameters, internal_np::straighten_t>)
-    if(parameters::get_parameter(np, internal_np::straighten))
-    {
-      if(triangulation.has_weights() || triangulation.has_directional_costs())
-        reject("paths on weighted faces cannot be straightened: cheapest paths are not straight");
-      Path straight = Path_straightener(triangulation).shortened(path);
-      if(straight.length < path.length)
-        path = std::move(straight);
-    }
 }
 
 // Calls a function with the graph that costs, barriers, or points on edges select. It is defined in

@@ -27,6 +27,7 @@
 #include <CGAL/Approximate_geodesics/Queries/internal/compiled_pairs.h>
 #include <CGAL/Approximate_geodesics/Queries/internal/compiled_searches.h>
 #include <CGAL/Approximate_geodesics/Queries/internal/find_pairs.h>
+#include <CGAL/Approximate_geodesics/Queries/internal/straighten.h>
 #include <CGAL/Approximate_geodesics/Solver/internal/Solver_graph.h>
 #include <CGAL/Approximate_geodesics/Surface/Intrinsic_triangulation.h>
 #include <CGAL/Geodesic_costs.h>
