@@ -12,13 +12,13 @@
 // that they mention.
 
 #include <CGAL/Approximate_geodesics/Mesh/Triangle_soup_mesh.h>
-#include <CGAL/Approximate_geodesics/Queries/isolines_on_grid.h>
-#include <CGAL/Approximate_geodesics/Queries/refined_path.h>
 #include <CGAL/Approximate_geodesics/Queues/Ordered_queues.h>
 #include <CGAL/Approximate_geodesics/Surface_mesh_shortest_path.h>
 #include <CGAL/Geodesic_constructions.h>
 #include <CGAL/Geodesic_costs.h>
+#include <CGAL/Geodesic_grids/isolines_on_grid.h>
 #include <CGAL/Geodesic_queries.h>
+#include <CGAL/Geodesic_queries/refined_path.h>
 #include <CGAL/approximate_geodesic_distances.h>
 #include <CGAL/approximate_geodesic_distances_on_grid.h>
 #include <CGAL/approximate_geodesic_path.h>

@@ -6,20 +6,20 @@
 #ifndef CGAL_GEODESIC_QUERIES_H
 #define CGAL_GEODESIC_QUERIES_H
 
-#include <CGAL/license/Approximate_geodesics.h>
+#include <CGAL/license/Geodesic_queries.h>
 
 // Includes all of the package Geodesic Queries: distance matrices, lists of pairs, landmarks,
 // labels at portals, and intervals.
 
-#include <CGAL/Approximate_geodesics/Matrices/Distance_matrix_types.h>
-#include <CGAL/Approximate_geodesics/Matrices/Rows_in_memory.h>
-#include <CGAL/Approximate_geodesics/Paths/Exact_landmarks.h>
-#include <CGAL/Approximate_geodesics/Paths/Guided_search.h>
-#include <CGAL/Approximate_geodesics/Paths/Landmarks.h>
-#include <CGAL/Approximate_geodesics/Paths/Point_pairs.h>
-#include <CGAL/Approximate_geodesics/Paths/Portal_labels.h>
-#include <CGAL/Approximate_geodesics/Queries/Pair_queries.h>
-#include <CGAL/Approximate_geodesics/Queries/distance_intervals.h>
+#include <CGAL/Geodesic_queries/Distance_matrix_types.h>
+#include <CGAL/Geodesic_queries/Exact_landmarks.h>
+#include <CGAL/Geodesic_queries/Guided_search.h>
+#include <CGAL/Geodesic_queries/Landmarks.h>
+#include <CGAL/Geodesic_queries/Pair_queries.h>
+#include <CGAL/Geodesic_queries/Point_pairs.h>
+#include <CGAL/Geodesic_queries/Portal_labels.h>
+#include <CGAL/Geodesic_queries/Rows_in_memory.h>
+#include <CGAL/Geodesic_queries/distance_intervals.h>
 #include <CGAL/approximate_geodesic_distance_matrix.h>
 #include <CGAL/approximate_geodesic_pair_distances.h>
 

@@ -10,7 +10,7 @@
 
 #include <CGAL/Approximate_geodesics/Mesh/Mesh_translation.h>
 #include <CGAL/Approximate_geodesics/Mesh/Surface_point.h>
-#include <CGAL/Approximate_geodesics/Queries/internal/compiled_matrices.h>
+#include <CGAL/Geodesic_queries/internal/compiled_matrices.h>
 
 namespace CGAL {
 namespace Approximate_geodesics::internal {

@@ -9,10 +9,10 @@
 #include <CGAL/license/Approximate_geodesics.h>
 
 #include <CGAL/Approximate_geodesics/Base/internal/named_parameters.h>
-#include <CGAL/Approximate_geodesics/Graphs/Grid_graph.h>
-#include <CGAL/Approximate_geodesics/Graphs/Grid_shape.h>
-#include <CGAL/Approximate_geodesics/Queries/internal/search_on_grid.h>
 #include <CGAL/Approximate_geodesics/Search/Propagation.h>
+#include <CGAL/Geodesic_grids/Grid_graph.h>
+#include <CGAL/Geodesic_grids/Grid_shape.h>
+#include <CGAL/Geodesic_grids/internal/search_on_grid.h>
 
 #include <algorithm>
 #include <cstddef>

@@ -10,10 +10,10 @@
 
 #include <CGAL/Approximate_geodesics/Mesh/Mesh_translation.h>
 #include <CGAL/Approximate_geodesics/Mesh/Surface_point.h>
-#include <CGAL/Approximate_geodesics/Paths/Point_pairs.h>
-#include <CGAL/Approximate_geodesics/Queries/internal/compiled_matrices.h>
-#include <CGAL/Approximate_geodesics/Queries/internal/find_pairs.h>
 #include <CGAL/Approximate_geodesics/Surface/Intrinsic_point.h>
+#include <CGAL/Geodesic_queries/Point_pairs.h>
+#include <CGAL/Geodesic_queries/internal/compiled_matrices.h>
+#include <CGAL/Geodesic_queries/internal/find_pairs.h>
 
 #include <algorithm>
 #include <utility>

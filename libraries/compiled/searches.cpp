@@ -4,5 +4,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 
 #define CGAL_APPROXIMATE_GEODESICS_INSTANTIATION
-#include <CGAL/Approximate_geodesics/Queries/internal/compiled_pairs.h>
 #include <CGAL/Geodesic_costs.h>
+#include <CGAL/Geodesic_queries/internal/compiled_pairs.h>

@@ -8,15 +8,15 @@
 // none, and a size; results are given to JavaScript before a function returns.
 
 // Searches and graphs are compiled for speed.
-#include <CGAL/Approximate_geodesics/Graphs/Directional_graph.h>
-#include <CGAL/Approximate_geodesics/Graphs/Directional_points.h>
 #include <CGAL/Approximate_geodesics/Graphs/Discrete_geodesic_graph.h>
 #include <CGAL/Approximate_geodesics/Graphs/Edge_graph.h>
-#include <CGAL/Approximate_geodesics/Graphs/Geometric_points.h>
 #include <CGAL/Approximate_geodesics/Graphs/Saddle_vertex_graph.h>
-#include <CGAL/Approximate_geodesics/Graphs/Steiner_graph.h>
 #include <CGAL/Approximate_geodesics/Queues/Adaptive_bucket_queue.h>
 #include <CGAL/Approximate_geodesics/Search/Propagation.h>
+#include <CGAL/Geodesic_costs/Directional_graph.h>
+#include <CGAL/Geodesic_costs/Directional_points.h>
+#include <CGAL/Geodesic_costs/Geometric_points.h>
+#include <CGAL/Geodesic_costs/Steiner_graph.h>
 
 #include <algorithm>
 #include <cstddef>
@@ -43,9 +43,9 @@
 #undef CGAL_error
 #define CGAL_error() std::abort()
 
-#include <CGAL/Approximate_geodesics/Matrices/Rows_in_memory.h>
 #include <CGAL/Approximate_geodesics/Solver/Solver.h>
 #include <CGAL/Approximate_geodesics/Solver/Solver_locator.h>
+#include <CGAL/Geodesic_queries/Rows_in_memory.h>
 
 namespace javascript {
 

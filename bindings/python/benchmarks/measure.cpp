@@ -8,8 +8,8 @@
 // Usage: measure MESH EPSILON NUMBER_OF_SEARCHES NUMBER_OF_ROWS REPETITIONS
 
 #include <CGAL/Approximate_geodesics/Graphs/Discrete_geodesic_graph.h>
-#include <CGAL/Approximate_geodesics/Matrices/Rows_in_memory.h>
 #include <CGAL/Approximate_geodesics/Surface_mesh_shortest_path.h>
+#include <CGAL/Geodesic_queries/Rows_in_memory.h>
 #include <CGAL/Real_timer.h>
 #include <CGAL/Simple_cartesian.h>
 #include <CGAL/Surface_mesh.h>

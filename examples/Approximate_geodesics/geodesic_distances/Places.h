@@ -11,7 +11,7 @@
 #include <CGAL/Approximate_geodesics/Mesh/Surface_locations.h>
 #include <CGAL/Approximate_geodesics/Mesh/Surface_point.h>
 #include <CGAL/Approximate_geodesics/Mesh/internal/aabb_traits.h>
-#include <CGAL/Approximate_geodesics/Queries/Source_curve.h>
+#include <CGAL/Geodesic_constructions/Source_curve.h>
 #include <CGAL/Polygon_mesh_processing/bbox.h>
 
 #include <algorithm>

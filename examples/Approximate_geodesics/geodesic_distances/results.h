@@ -6,8 +6,8 @@
 #include "Options.h"
 #include "Places.h"
 
-#include <CGAL/Approximate_geodesics/Queries/isolines.h>
-#include <CGAL/Approximate_geodesics/Queries/offset_curves.h>
+#include <CGAL/Geodesic_constructions/isolines.h>
+#include <CGAL/Geodesic_constructions/offset_curves.h>
 
 #include <boost/property_map/property_map.hpp>
 

@@ -8,7 +8,7 @@
 #include "files.h"
 #include "formats.h"
 
-#include <CGAL/Approximate_geodesics/Matrices/Rows_in_memory.h>
+#include <CGAL/Geodesic_queries/Rows_in_memory.h>
 
 #include <algorithm>
 #include <cstdint>

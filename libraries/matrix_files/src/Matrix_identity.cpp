@@ -7,7 +7,7 @@
 
 #include <CGAL/Approximate_geodesics/Base/internal/binary_io.h>
 #include <CGAL/Approximate_geodesics/Surface/Intrinsic_point.h>
-#include <CGAL/Approximate_geodesics/Surface/internal/Face_gauges.h>
+#include <CGAL/Geodesic_costs/internal/Face_gauges.h>
 
 #include <vector>
 

@@ -9,7 +9,7 @@
 #include "formats.h"
 
 #include <CGAL/Approximate_geodesics/Base/internal/messages.h>
-#include <CGAL/Approximate_geodesics/Matrices/Rows_in_memory.h>
+#include <CGAL/Geodesic_queries/Rows_in_memory.h>
 
 #include <boost/interprocess/file_mapping.hpp>
 #include <boost/interprocess/mapped_region.hpp>

@@ -6,7 +6,7 @@ from conan.tools.cmake import CMake, cmake_layout
 
 
 class TestPackage(ConanFile):
-    """Builds programs that use each target: those of test/Approximate_geodesics/find_package."""
+    """Builds programs that use each target: those of test/find_package."""
 
     settings = "os", "arch", "compiler", "build_type"
     generators = "CMakeDeps", "CMakeToolchain"

@@ -11,11 +11,11 @@
 
 #include <CGAL/Approximate_geodesics/Graphs/Discrete_geodesic_graph.h>
 #include <CGAL/Approximate_geodesics/Graphs/Edge_graph.h>
-#include <CGAL/Approximate_geodesics/Graphs/Geometric_points.h>
 #include <CGAL/Approximate_geodesics/Graphs/Lazy_discrete_geodesic_graph.h>
-#include <CGAL/Approximate_geodesics/Graphs/Steiner_graph.h>
-#include <CGAL/Approximate_geodesics/Graphs/equal_parts.h>
 #include <CGAL/Approximate_geodesics/Surface_mesh_shortest_path.h>
+#include <CGAL/Geodesic_costs/Geometric_points.h>
+#include <CGAL/Geodesic_costs/Steiner_graph.h>
+#include <CGAL/Geodesic_costs/equal_parts.h>
 
 #include <gtest/gtest.h>
 

@@ -11,10 +11,10 @@
 #include "oracles/straight_lines.h"
 #include "paths/Path_recorder.h"
 
-#include <CGAL/Approximate_geodesics/Graphs/Geometric_points.h>
-#include <CGAL/Approximate_geodesics/Graphs/Steiner_graph.h>
-#include <CGAL/Approximate_geodesics/Queries/refined_path.h>
 #include <CGAL/Approximate_geodesics/Surface_mesh_shortest_path.h>
+#include <CGAL/Geodesic_costs/Geometric_points.h>
+#include <CGAL/Geodesic_costs/Steiner_graph.h>
+#include <CGAL/Geodesic_queries/refined_path.h>
 #include <CGAL/approximate_geodesic_distances.h>
 #include <CGAL/approximate_geodesic_path.h>
 

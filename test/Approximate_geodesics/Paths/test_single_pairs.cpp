@@ -9,11 +9,11 @@
 
 #include <CGAL/Approximate_geodesics/Graphs/Discrete_geodesic_graph.h>
 #include <CGAL/Approximate_geodesics/Graphs/Edge_graph.h>
-#include <CGAL/Approximate_geodesics/Graphs/Steiner_graph.h>
-#include <CGAL/Approximate_geodesics/Graphs/equal_parts.h>
 #include <CGAL/Approximate_geodesics/Queues/Adaptive_bucket_queue.h>
 #include <CGAL/Approximate_geodesics/Queues/Ordered_queues.h>
 #include <CGAL/Approximate_geodesics/Surface_mesh_shortest_path.h>
+#include <CGAL/Geodesic_costs/Steiner_graph.h>
+#include <CGAL/Geodesic_costs/equal_parts.h>
 #include <CGAL/approximate_geodesic_path.h>
 
 #include <boost/property_map/function_property_map.hpp>

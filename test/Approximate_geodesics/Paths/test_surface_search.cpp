@@ -11,11 +11,11 @@
 #include "meshes/surface_points.h"
 #include "oracles/test_oracles.h"
 
-#include <CGAL/Approximate_geodesics/Graphs/Directional_graph.h>
 #include <CGAL/Approximate_geodesics/Mesh/Mesh_translation.h>
 #include <CGAL/Approximate_geodesics/Paths/Path_straightener.h>
-#include <CGAL/Approximate_geodesics/Queries/search_from_curves.h>
 #include <CGAL/Approximate_geodesics/Surface_mesh_shortest_path.h>
+#include <CGAL/Geodesic_constructions/search_from_curves.h>
+#include <CGAL/Geodesic_costs/Directional_graph.h>
 
 #include <gtest/gtest.h>
 

@@ -6,11 +6,11 @@
 #include "checks/failing_allocation.h"
 #include "meshes/test_weights.h"
 
-#include <CGAL/Approximate_geodesics/Queries/farthest_point_sampling.h>
-#include <CGAL/Approximate_geodesics/Queries/gradient.h>
-#include <CGAL/Approximate_geodesics/Queries/isolines.h>
-#include <CGAL/Approximate_geodesics/Queries/refined_path.h>
-#include <CGAL/Approximate_geodesics/Queries/voronoi_partition.h>
+#include <CGAL/Geodesic_constructions/farthest_point_sampling.h>
+#include <CGAL/Geodesic_constructions/gradient.h>
+#include <CGAL/Geodesic_constructions/isolines.h>
+#include <CGAL/Geodesic_constructions/voronoi_partition.h>
+#include <CGAL/Geodesic_queries/refined_path.h>
 #include <CGAL/approximate_geodesic_distances.h>
 #include <CGAL/approximate_geodesic_path.h>
 

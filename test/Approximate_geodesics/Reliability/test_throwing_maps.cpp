@@ -7,9 +7,9 @@
 #include "meshes/test_weights.h"
 
 #include <CGAL/Approximate_geodesics/Graphs/Discrete_geodesic_graph.h>
-#include <CGAL/Approximate_geodesics/Queries/gradient.h>
-#include <CGAL/Approximate_geodesics/Queries/isolines.h>
 #include <CGAL/Approximate_geodesics/Surface_mesh_shortest_path.h>
+#include <CGAL/Geodesic_constructions/gradient.h>
+#include <CGAL/Geodesic_constructions/isolines.h>
 #include <CGAL/approximate_geodesic_distances.h>
 #include <CGAL/approximate_geodesic_path.h>
 

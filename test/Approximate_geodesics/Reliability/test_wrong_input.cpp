@@ -6,9 +6,9 @@
 #include "meshes/surface_points.h"
 
 #include <CGAL/Approximate_geodesics/Graphs/Discrete_geodesic_graph.h>
-#include <CGAL/Approximate_geodesics/Queries/farthest_point_sampling.h>
-#include <CGAL/Approximate_geodesics/Queries/isolines.h>
 #include <CGAL/Approximate_geodesics/Surface_mesh_shortest_path.h>
+#include <CGAL/Geodesic_constructions/farthest_point_sampling.h>
+#include <CGAL/Geodesic_constructions/isolines.h>
 #include <CGAL/Geodesic_costs.h>
 #include <CGAL/approximate_geodesic_distances.h>
 #include <CGAL/approximate_geodesic_path.h>

@@ -8,10 +8,10 @@
 #include "meshes/surface_points.h"
 #include "meshes/test_weights.h"
 
-#include <CGAL/Approximate_geodesics/Queries/farthest_point_sampling.h>
-#include <CGAL/Approximate_geodesics/Queries/isolines.h>
-#include <CGAL/Approximate_geodesics/Queries/voronoi_partition.h>
 #include <CGAL/Approximate_geodesics/Surface_mesh_shortest_path.h>
+#include <CGAL/Geodesic_constructions/farthest_point_sampling.h>
+#include <CGAL/Geodesic_constructions/isolines.h>
+#include <CGAL/Geodesic_constructions/voronoi_partition.h>
 #include <CGAL/approximate_geodesic_distance_matrix.h>
 #include <CGAL/approximate_geodesic_distances.h>
 #include <CGAL/approximate_geodesic_path.h>

@@ -6,7 +6,7 @@
 #ifndef BENCHMARK_ROUGH_TERRAIN_H
 #define BENCHMARK_ROUGH_TERRAIN_H
 
-#include <CGAL/Approximate_geodesics/Graphs/Grid_shape.h>
+#include <CGAL/Geodesic_grids/Grid_shape.h>
 
 #include <algorithm>
 #include <cmath>

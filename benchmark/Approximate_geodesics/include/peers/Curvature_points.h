@@ -6,9 +6,9 @@
 #ifndef BENCHMARK_CURVATURE_POINTS_H
 #define BENCHMARK_CURVATURE_POINTS_H
 
-#include <CGAL/Approximate_geodesics/Graphs/Directional_points.h>
-#include <CGAL/Approximate_geodesics/Graphs/internal/Steiner/Geometric_progressions.h>
 #include <CGAL/Approximate_geodesics/Surface/Intrinsic_triangulation.h>
+#include <CGAL/Geodesic_costs/Directional_points.h>
+#include <CGAL/Geodesic_costs/internal/Steiner/Geometric_progressions.h>
 
 #include <algorithm>
 #include <cmath>

@@ -7,9 +7,9 @@
 #define BENCHMARK_PUBLISHED_GEOMETRIC_POINTS_H
 
 #include <CGAL/Approximate_geodesics/Base/internal/messages.h>
-#include <CGAL/Approximate_geodesics/Graphs/internal/Steiner/Geometric_progressions.h>
 #include <CGAL/Approximate_geodesics/Graphs/internal/graph_parameters.h>
 #include <CGAL/Approximate_geodesics/Surface/Intrinsic_triangulation.h>
+#include <CGAL/Geodesic_costs/internal/Steiner/Geometric_progressions.h>
 
 #include <algorithm>
 #include <cmath>

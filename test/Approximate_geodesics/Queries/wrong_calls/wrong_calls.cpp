@@ -6,19 +6,19 @@
 // Calls that must not compile, each below the message that the compiler has to print for it.
 
 #include <CGAL/Approximate_geodesics/Graphs/Discrete_geodesic_graph.h>
-#include <CGAL/Approximate_geodesics/Graphs/Grid_graph.h>
-#include <CGAL/Approximate_geodesics/Matrices/Rows_in_memory.h>
 #include <CGAL/Approximate_geodesics/Paths/Surface_search.h>
-#include <CGAL/Approximate_geodesics/Queries/Pair_queries.h>
-#include <CGAL/Approximate_geodesics/Queries/farthest_point_sampling.h>
-#include <CGAL/Approximate_geodesics/Queries/gradient.h>
-#include <CGAL/Approximate_geodesics/Queries/isolines.h>
-#include <CGAL/Approximate_geodesics/Queries/offset_curves.h>
-#include <CGAL/Approximate_geodesics/Queries/refined_path.h>
-#include <CGAL/Approximate_geodesics/Queries/voronoi_borders.h>
-#include <CGAL/Approximate_geodesics/Queries/voronoi_partition.h>
 #include <CGAL/Approximate_geodesics/Surface_mesh_shortest_path.h>
+#include <CGAL/Geodesic_constructions/farthest_point_sampling.h>
+#include <CGAL/Geodesic_constructions/gradient.h>
+#include <CGAL/Geodesic_constructions/isolines.h>
+#include <CGAL/Geodesic_constructions/offset_curves.h>
+#include <CGAL/Geodesic_constructions/voronoi_borders.h>
+#include <CGAL/Geodesic_constructions/voronoi_partition.h>
 #include <CGAL/Geodesic_costs.h>
+#include <CGAL/Geodesic_grids/Grid_graph.h>
+#include <CGAL/Geodesic_queries/Pair_queries.h>
+#include <CGAL/Geodesic_queries/Rows_in_memory.h>
+#include <CGAL/Geodesic_queries/refined_path.h>
 #include <CGAL/Simple_cartesian.h>
 #include <CGAL/Surface_mesh.h>
 #include <CGAL/approximate_geodesic_distance_matrix.h>

@@ -11,7 +11,7 @@
 #include <CGAL/Approximate_geodesics/Graphs/Saddle_vertex_graph.h>
 #include <CGAL/Approximate_geodesics/Mesh/Triangulation_builder.h>
 #include <CGAL/Approximate_geodesics/Paths/Surface_search.h>
-#include <CGAL/Approximate_geodesics/Surface/Intrinsic_curve.h>
+#include <CGAL/Geodesic_constructions/Intrinsic_curve.h>
 
 #include <gtest/gtest.h>
 

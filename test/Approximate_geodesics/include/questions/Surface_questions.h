@@ -8,9 +8,9 @@
 
 #include "questions/Node_questions.h"
 
-#include <CGAL/Approximate_geodesics/Paths/Guided_search.h>
-#include <CGAL/Approximate_geodesics/Paths/Point_pairs.h>
-#include <CGAL/Approximate_geodesics/Queries/search_from_curves.h>
+#include <CGAL/Geodesic_constructions/search_from_curves.h>
+#include <CGAL/Geodesic_queries/Guided_search.h>
+#include <CGAL/Geodesic_queries/Point_pairs.h>
 
 #include <cmath>
 #include <cstddef>

@@ -10,7 +10,6 @@
 
 #include <CGAL/Approximate_geodesics/Base/internal/arrays.h>
 #include <CGAL/Approximate_geodesics/Base/internal/messages.h>
-#include <CGAL/Approximate_geodesics/Graphs/Grid_shape.h>
 #include <CGAL/Approximate_geodesics/Grid_files/Grid_window.h>
 #include <CGAL/Approximate_geodesics/Grid_files/internal/Grid_nodes.h>
 #include <CGAL/Approximate_geodesics/Grid_files/internal/Label_files.h>
@@ -18,7 +17,8 @@
 #include <CGAL/Approximate_geodesics/Grid_files/internal/Tile_progress.h>
 #include <CGAL/Approximate_geodesics/Grid_files/internal/first_predecessors.h>
 #include <CGAL/Approximate_geodesics/Search/Propagation.h>
-#include <CGAL/Approximate_geodesics/Search/internal/continued_runs.h>
+#include <CGAL/Geodesic_costs/internal/continued_runs.h>
+#include <CGAL/Geodesic_grids/Grid_shape.h>
 #include <CGAL/assertions.h>
 
 #include <algorithm>

@@ -8,10 +8,10 @@
 
 #include <CGAL/license/Approximate_geodesics.h>
 
-#include <CGAL/Approximate_geodesics/Matrices/Distance_matrix_types.h>
-#include <CGAL/Approximate_geodesics/Matrices/Rows_in_memory.h>
 #include <CGAL/Approximate_geodesics/Matrix_files/Process_team.h>
 #include <CGAL/Approximate_geodesics/Matrix_files/internal/Matrix_file.h>
+#include <CGAL/Geodesic_queries/Distance_matrix_types.h>
+#include <CGAL/Geodesic_queries/Rows_in_memory.h>
 
 #include <cstddef>
 #include <string>

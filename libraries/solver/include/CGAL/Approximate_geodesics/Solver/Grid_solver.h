@@ -9,15 +9,15 @@
 #include <CGAL/license/Approximate_geodesics.h>
 
 #include <CGAL/Approximate_geodesics/Base/internal/messages.h>
-#include <CGAL/Approximate_geodesics/Graphs/Grid_graph.h>
-#include <CGAL/Approximate_geodesics/Graphs/Grid_shape.h>
-#include <CGAL/Approximate_geodesics/Paths/internal/Workspaces.h>
-#include <CGAL/Approximate_geodesics/Queries/internal/search_on_grid.h>
-#include <CGAL/Approximate_geodesics/Queries/isolines_on_grid.h>
 #include <CGAL/Approximate_geodesics/Search/Propagation.h>
 #include <CGAL/Approximate_geodesics/Solver/Solver_options.h>
 #include <CGAL/Approximate_geodesics/Solver/internal/Solver_visitor.h>
 #include <CGAL/Approximate_geodesics/Solver/internal/make_grid_graph.h>
+#include <CGAL/Geodesic_grids/Grid_graph.h>
+#include <CGAL/Geodesic_grids/Grid_shape.h>
+#include <CGAL/Geodesic_grids/internal/search_on_grid.h>
+#include <CGAL/Geodesic_grids/isolines_on_grid.h>
+#include <CGAL/Geodesic_queries/internal/Workspaces.h>
 #include <CGAL/Iterator_range.h>
 
 #include <cstddef>

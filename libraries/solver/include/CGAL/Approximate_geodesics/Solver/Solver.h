@@ -10,15 +10,11 @@
 
 #include <CGAL/Approximate_geodesics/Base/internal/binary_io.h>
 #include <CGAL/Approximate_geodesics/Base/internal/messages.h>
-#include <CGAL/Approximate_geodesics/Matrices/Rows_in_memory.h>
 #include <CGAL/Approximate_geodesics/Mesh/Mesh_translation.h>
 #include <CGAL/Approximate_geodesics/Paths/Path.h>
 #include <CGAL/Approximate_geodesics/Paths/Vertex_positions.h>
-#include <CGAL/Approximate_geodesics/Queries/gradient.h>
 #include <CGAL/Approximate_geodesics/Queries/internal/compiled_searches.h>
 #include <CGAL/Approximate_geodesics/Queries/internal/straighten.h>
-#include <CGAL/Approximate_geodesics/Queries/isolines.h>
-#include <CGAL/Approximate_geodesics/Queries/voronoi_partition.h>
 #include <CGAL/Approximate_geodesics/Solver/Solver_options.h>
 #include <CGAL/Approximate_geodesics/Solver/internal/Array_costs.h>
 #include <CGAL/Approximate_geodesics/Solver/internal/Array_mesh.h>
@@ -26,6 +22,10 @@
 #include <CGAL/Approximate_geodesics/Solver/internal/Solver_graph.h>
 #include <CGAL/Approximate_geodesics/Solver/internal/Solver_visitor.h>
 #include <CGAL/Approximate_geodesics/Solver/internal/make_solver_graph.h>
+#include <CGAL/Geodesic_constructions/gradient.h>
+#include <CGAL/Geodesic_constructions/isolines.h>
+#include <CGAL/Geodesic_constructions/voronoi_partition.h>
+#include <CGAL/Geodesic_queries/Rows_in_memory.h>
 #include <CGAL/Simple_cartesian.h>
 #include <CGAL/boost/graph/iterator.h>
 #include <CGAL/boost/graph/properties.h>

@@ -8,8 +8,8 @@
 
 #include <CGAL/license/Approximate_geodesics.h>
 
-#include <CGAL/Approximate_geodesics/Queries/voronoi_borders.h>
 #include <CGAL/Approximate_geodesics/Solver/Solver.h>
+#include <CGAL/Geodesic_constructions/voronoi_borders.h>
 #include <CGAL/Polygon_mesh_processing/locate.h>
 
 #include <array>

@@ -8,9 +8,9 @@
 
 #include <CGAL/license/Approximate_geodesics.h>
 
-#include <CGAL/Approximate_geodesics/Queries/offset_curves.h>
 #include <CGAL/Approximate_geodesics/Solver/Solver.h>
 #include <CGAL/Approximate_geodesics/Solver/internal/Solver_visitor.h>
+#include <CGAL/Geodesic_constructions/offset_curves.h>
 #include <CGAL/approximate_geodesic_distances.h>
 
 #include <boost/property_map/property_map.hpp>

@@ -9,9 +9,9 @@
 #include <CGAL/license/Approximate_geodesics.h>
 
 #include <CGAL/Approximate_geodesics/Paths/Path.h>
-#include <CGAL/Approximate_geodesics/Paths/Point_pairs.h>
 #include <CGAL/Approximate_geodesics/Solver/Solver.h>
 #include <CGAL/Approximate_geodesics/Solver/Solver_options.h>
+#include <CGAL/Geodesic_queries/Point_pairs.h>
 
 #include <algorithm>
 #include <cstddef>
@@ -28,8 +28,8 @@ namespace CGAL::Approximate_geodesics {
  * so on. Pairs with the same source share a search. The header is not part of `Solver.h`, as
  * programs for other questions do not need it.
  *
- * All functions throw `std::invalid_argument` if there are not as many targets as sources, or if one
- * of them is not a point of the surface.
+ * All functions throw `std::invalid_argument` if there are not as many targets as sources, or if
+ * one of them is not a point of the surface.
  */
 class Solver_pairs
 {

@@ -8,11 +8,11 @@
 
 #include <CGAL/license/Approximate_geodesics.h>
 
-#include <CGAL/Approximate_geodesics/Queries/Source_curve.h>
-#include <CGAL/Approximate_geodesics/Queries/karcher_mean.h>
-#include <CGAL/Approximate_geodesics/Queries/shorten_loop.h>
-#include <CGAL/Approximate_geodesics/Queries/trace_geodesic.h>
 #include <CGAL/Approximate_geodesics/Solver/Solver.h>
+#include <CGAL/Geodesic_constructions/Source_curve.h>
+#include <CGAL/Geodesic_constructions/karcher_mean.h>
+#include <CGAL/Geodesic_constructions/shorten_loop.h>
+#include <CGAL/Geodesic_constructions/trace_geodesic.h>
 
 #include <algorithm>
 #include <array>

@@ -8,9 +8,9 @@
 
 #include <CGAL/license/Approximate_geodesics.h>
 
-#include <CGAL/Approximate_geodesics/Matrices/Distance_matrix_types.h>
 #include <CGAL/Approximate_geodesics/Matrix_files/Process_team.h>
 #include <CGAL/Approximate_geodesics/Matrix_files/internal/Matrix_identity.h>
+#include <CGAL/Geodesic_queries/Distance_matrix_types.h>
 
 #include <atomic>
 #include <cstddef>

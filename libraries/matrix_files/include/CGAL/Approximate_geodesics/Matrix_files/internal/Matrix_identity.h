@@ -8,8 +8,8 @@
 
 #include <CGAL/license/Approximate_geodesics.h>
 
-#include <CGAL/Approximate_geodesics/Matrices/Distance_matrix_types.h>
 #include <CGAL/Approximate_geodesics/Surface/Intrinsic_triangulation.h>
+#include <CGAL/Geodesic_queries/Distance_matrix_types.h>
 
 #include <array>
 #include <cstddef>

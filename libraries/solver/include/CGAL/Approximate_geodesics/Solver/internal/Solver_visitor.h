@@ -9,8 +9,8 @@
 #include <CGAL/license/Approximate_geodesics.h>
 
 #include <CGAL/Approximate_geodesics/Base/internal/Loop.h>
-#include <CGAL/Approximate_geodesics/Matrices/Distance_matrix_types.h>
 #include <CGAL/Approximate_geodesics/Solver/Solver_options.h>
+#include <CGAL/Geodesic_queries/Distance_matrix_types.h>
 
 #include <algorithm>
 #include <atomic>

@@ -9,11 +9,11 @@
 #include <CGAL/license/Approximate_geodesics.h>
 
 #include <CGAL/Approximate_geodesics/Base/internal/messages.h>
-#include <CGAL/Approximate_geodesics/Graphs/Grid_graph.h>
-#include <CGAL/Approximate_geodesics/Graphs/Grid_vector.h>
-#include <CGAL/Approximate_geodesics/Mesh/cost_functions.h>
 #include <CGAL/Approximate_geodesics/Solver/Solver_options.h>
 #include <CGAL/Approximate_geodesics/Solver/internal/Array_costs.h>
+#include <CGAL/Geodesic_costs/cost_functions.h>
+#include <CGAL/Geodesic_grids/Grid_graph.h>
+#include <CGAL/Geodesic_grids/Grid_vector.h>
 #include <CGAL/Iterator_range.h>
 
 #include <cmath>

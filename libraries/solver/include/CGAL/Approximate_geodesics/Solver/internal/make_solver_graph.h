@@ -17,20 +17,20 @@
 #include <CGAL/Approximate_geodesics/Graphs/Discrete_geodesic_graph.h>
 #include <CGAL/Approximate_geodesics/Graphs/Edge_graph.h>
 #include <CGAL/Approximate_geodesics/Graphs/Saddle_vertex_graph.h>
-#include <CGAL/Approximate_geodesics/Paths/Guided_search.h>
 #include <CGAL/Approximate_geodesics/Paths/Path.h>
-#include <CGAL/Approximate_geodesics/Paths/Point_pairs.h>
-#include <CGAL/Approximate_geodesics/Paths/Portal_labels.h>
-#include <CGAL/Approximate_geodesics/Paths/internal/Workspaces.h>
 #include <CGAL/Approximate_geodesics/Paths/internal/surface_graph.h>
-#include <CGAL/Approximate_geodesics/Queries/farthest_point_sampling.h>
-#include <CGAL/Approximate_geodesics/Queries/internal/compiled_pairs.h>
 #include <CGAL/Approximate_geodesics/Queries/internal/compiled_searches.h>
-#include <CGAL/Approximate_geodesics/Queries/internal/find_pairs.h>
 #include <CGAL/Approximate_geodesics/Queries/internal/straighten.h>
 #include <CGAL/Approximate_geodesics/Solver/internal/Solver_graph.h>
 #include <CGAL/Approximate_geodesics/Surface/Intrinsic_triangulation.h>
+#include <CGAL/Geodesic_constructions/farthest_point_sampling.h>
 #include <CGAL/Geodesic_costs.h>
+#include <CGAL/Geodesic_queries/Guided_search.h>
+#include <CGAL/Geodesic_queries/Point_pairs.h>
+#include <CGAL/Geodesic_queries/Portal_labels.h>
+#include <CGAL/Geodesic_queries/internal/Workspaces.h>
+#include <CGAL/Geodesic_queries/internal/compiled_pairs.h>
+#include <CGAL/Geodesic_queries/internal/find_pairs.h>
 #include <CGAL/approximate_geodesic_distance_matrix.h>
 
 #include <boost/type_traits/is_detected.hpp>
