@@ -8,19 +8,25 @@
 
 #include <CGAL/license/Approximate_geodesics.h>
 
-// Includes the whole package: functions, classes and queues, and with them the headers of the types
-// that they mention.
+// Includes everything: the core, and the packages on it that are installed.
 
 #include <CGAL/Approximate_geodesics/Mesh/Triangle_soup_mesh.h>
 #include <CGAL/Approximate_geodesics/Queues/Ordered_queues.h>
 #include <CGAL/Approximate_geodesics/Surface_mesh_shortest_path.h>
-#include <CGAL/Geodesic_constructions.h>
-#include <CGAL/Geodesic_costs.h>
-#include <CGAL/Geodesic_grids/isolines_on_grid.h>
-#include <CGAL/Geodesic_queries.h>
-#include <CGAL/Geodesic_queries/refined_path.h>
 #include <CGAL/approximate_geodesic_distances.h>
-#include <CGAL/approximate_geodesic_distances_on_grid.h>
 #include <CGAL/approximate_geodesic_path.h>
+
+#if __has_include(<CGAL/Geodesic_costs.h>)
+#include <CGAL/Geodesic_costs.h>
+#endif
+#if __has_include(<CGAL/Geodesic_constructions.h>)
+#include <CGAL/Geodesic_constructions.h>
+#endif
+#if __has_include(<CGAL/Geodesic_queries.h>)
+#include <CGAL/Geodesic_queries.h>
+#endif
+#if __has_include(<CGAL/Geodesic_grids.h>)
+#include <CGAL/Geodesic_grids.h>
+#endif
 
 #endif // CGAL_APPROXIMATE_GEODESICS_H

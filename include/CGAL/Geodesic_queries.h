@@ -20,6 +20,7 @@
 #include <CGAL/Geodesic_queries/Portal_labels.h>
 #include <CGAL/Geodesic_queries/Rows_in_memory.h>
 #include <CGAL/Geodesic_queries/distance_intervals.h>
+#include <CGAL/Geodesic_queries/refined_path.h>
 #include <CGAL/approximate_geodesic_distance_matrix.h>
 #include <CGAL/approximate_geodesic_pair_distances.h>
 
