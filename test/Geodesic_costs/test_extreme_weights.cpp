@@ -44,7 +44,7 @@ AG::Intrinsic_triangulation triangulation(const Mesh& mesh, const std::function<
       mesh, CGAL::parameters::face_weight_map(boost::make_assoc_property_map(weights)));
 }
 
-std::vector<std::function<double()>> kinds_of_weights(Random& random)
+std::vector<std::function<double()>> kinds_of_extreme_weights(Random& random)
 {
   return {[&] { return std::pow(10, random.between(0, 300)); },
           [&] { return std::pow(10, random.between(-300, 300)); },
@@ -68,7 +68,7 @@ TEST(Extreme_weights, leave_no_arc_out_that_matters)
 {
   Random random(test_seed());
   const Mesh mesh = to_mesh(flat_grid(3, 3));
-  for(const auto& weight : kinds_of_weights(random))
+  for(const auto& weight : kinds_of_extreme_weights(random))
   {
     const Lenient_graph graph(triangulation(mesh, weight), lenient_points(0.5));
     AG::Propagation<Lenient_graph> search(graph);
@@ -92,7 +92,7 @@ TEST(Extreme_weights, keep_the_number_of_arcs_small)
 {
   Random random(test_seed());
   const Mesh mesh = to_mesh(flat_grid(5, 5));
-  for(const auto& weight : kinds_of_weights(random))
+  for(const auto& weight : kinds_of_extreme_weights(random))
   {
     const Lenient_graph graph(triangulation(mesh, weight), lenient_points(0.05));
     AG::Propagation<Lenient_graph> search(graph);

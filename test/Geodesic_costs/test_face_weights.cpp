@@ -245,9 +245,9 @@ TEST(Bad_weights, are_refused_by_name_of_the_face)
       CGAL::approximate_geodesic_path(mesh, std::back_inserter(points), Vertex(0), Vertex(1),
                                       with_weights(weights));
     });
-    using Paths = AG::Surface_mesh_shortest_path<Mesh, Steiner_graph<>>;
-    expect_refusal([&] { Paths paths(mesh, with_weights(weights)); });
-    Paths paths(mesh, with_weights(good));
+    using Weighted_paths = AG::Surface_mesh_shortest_path<Mesh, Steiner_graph<>>;
+    expect_refusal([&] { Weighted_paths paths(mesh, with_weights(weights)); });
+    Weighted_paths paths(mesh, with_weights(good));
     paths.add_source_point(Vertex(0));
     const double before = paths.shortest_distance_to_source_points(Vertex(29)).first;
     expect_refusal([&] { paths.set_face_weights(weight_map(weights)); });

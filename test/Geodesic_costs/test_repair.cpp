@@ -303,7 +303,7 @@ TEST(Repaired_search, counts_no_repetitions_that_there_are_not)
   AG::Propagation<AG::Edge_graph> search(graph);
   search.collect_statistics(true);
   search.run_from(0);
-  for(const std::uint32_t node : {5, 9})
+  for(const std::uint32_t node : {5u, 9u})
   {
     search.run_further({{node}});
     EXPECT_LE(search.statistics().repeated_pops(), search.statistics().pops);

@@ -52,7 +52,7 @@ class Resumed_run : public testing::Test
 };
 
 using Queues_of_resumed_runs = testing::Types<AG::Adaptive_bucket_queue, AG::Binary_heap_queue>;
-TYPED_TEST_SUITE(Resumed_run, Queues_of_resumed_runs);
+TYPED_TEST_SUITE(Resumed_run, Queues_of_resumed_runs, );
 
 TYPED_TEST(Resumed_run, has_the_results_of_one_that_did_not_end_early)
 {

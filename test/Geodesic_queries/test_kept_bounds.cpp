@@ -36,7 +36,7 @@ namespace {
 namespace AG = CGAL::Approximate_geodesics;
 namespace parameters = CGAL::parameters;
 using namespace geodesics_test;
-using Points_graph = Steiner_graph<Geometric_points>;
+using Geometric_graph = Steiner_graph<Geometric_points>;
 
 // ----- thin faces in the plane
 
@@ -57,7 +57,7 @@ TEST(Thin_faces, have_the_bound_if_weights_are_equal)
       const Mesh mesh = to_mesh(soup);
       for(const double e : {0.5, 0.1})
       {
-        Basic_mesh_search<Points_graph> search(mesh, parameters::epsilon(e));
+        Basic_mesh_search<Geometric_graph> search(mesh, parameters::epsilon(e));
         EXPECT_EQ(search.graph().epsilon(), e);
         for(const Vertex source : {Vertex(2), Vertex(3)})
           expect_within_bound(search.distances({source}), distances_in_plane(mesh, source), e);
@@ -131,13 +131,14 @@ TEST(Thin_faces, are_refused_by_name_if_they_take_too_many_points)
   const Triangulation t(mesh);
   const auto np = parameters::epsilon(0.1);
   const auto count = [&](const Geometric_points& points) {
-    return Points_graph(t, points).number_of_points();
+    return Geometric_graph(t, points).number_of_points();
   };
   expect_message<std::length_error>(
       [&] { count(Geometric_points(np.maximum_number_of_points_per_edge(500))); }, "epsilon",
       "the face with vertices 0, 4, 5", " points on an edge", "500");
   EXPECT_GT(count(Geometric_points(np.maximum_number_of_points_per_edge(100000))), 2000u);
-  const Points_graph weak(t, np.accept_weaker_bound(true).maximum_number_of_points_per_edge(500));
+  const Geometric_graph weak(t,
+                             np.accept_weaker_bound(true).maximum_number_of_points_per_edge(500));
   EXPECT_LT(weak.number_of_points(), 2000u);
   EXPECT_GT(weak.epsilon(), 0.1);
   EXPECT_LT(weak.epsilon(), infinity);
@@ -149,9 +150,9 @@ TEST(Weights, that_vanish_beside_others_have_no_bound)
   std::vector<double> weights(mesh.number_of_faces(), 1e300);
   weights[0] = 1e-10;
   const Triangulation t(mesh, parameters::face_weight_map(weight_map(weights)));
-  expect_message<std::invalid_argument>([&] { Points_graph(t, Geometric_points(0.1)); },
+  expect_message<std::invalid_argument>([&] { Geometric_graph(t, Geometric_points(0.1)); },
                                         "cannot be kept", "has a weight that is less than 1e-307");
-  EXPECT_EQ(infinity, Points_graph(t, lenient_points(0.1)).epsilon());
+  EXPECT_EQ(infinity, Geometric_graph(t, lenient_points(0.1)).epsilon());
 }
 
 TEST(Thin_faces, have_the_weaker_bound_that_is_told)
@@ -164,7 +165,7 @@ TEST(Thin_faces, have_the_weaker_bound_that_is_told)
       const Mesh mesh = to_mesh(soup);
       for(const std::size_t limit : {1u, 10u, 100u})
       {
-        Basic_mesh_search<Points_graph> search(
+        Basic_mesh_search<Geometric_graph> search(
             mesh,
             parameters::epsilon(0.1).accept_weaker_bound(true).maximum_number_of_points_per_edge(
                 limit));
@@ -182,9 +183,9 @@ TEST(Faces_without_area, have_no_bound)
 {
   const Mesh mesh = to_mesh(thin_cap(0));
   const Triangulation t(mesh);
-  expect_message<std::length_error>([&] { Points_graph g(t, parameters::epsilon(0.1)); },
+  expect_message<std::length_error>([&] { Geometric_graph g(t, parameters::epsilon(0.1)); },
                                     "the face with vertices");
-  EXPECT_EQ(Points_graph(t, lenient_points(0.1)).epsilon(), infinity);
+  EXPECT_EQ(Geometric_graph(t, lenient_points(0.1)).epsilon(), infinity);
 }
 
 // ... and do not matter where no path may enter them, until one may.
@@ -283,7 +284,7 @@ TEST(Points_in_faces, are_not_farther_apart_than_the_distance_of_corners_allows)
 {
   Random random(test_seed());
   const Mesh mesh = to_mesh(flat_grid(4, 4));
-  const Points_graph graph(Triangulation(mesh), Geometric_points(0.1));
+  const Geometric_graph graph(Triangulation(mesh), Geometric_points(0.1));
   const Triangulation& t = graph.triangulation();
   const auto random_point = [&] {
     for(;;)
@@ -300,7 +301,7 @@ TEST(Points_in_faces, are_not_farther_apart_than_the_distance_of_corners_allows)
                 c = mesh.point(Vertex(t.index(t.target(t.next(p.halfedge)))));
     return CGAL::barycenter(a, 1 - p.t - p.s, b, p.t, c, p.s);
   };
-  AG::Surface_search<Points_graph> search(graph);
+  AG::Surface_search<Geometric_graph> search(graph);
   double largest_factor = 0;
   for(std::size_t i = 0; i < 500; ++i)
   {
