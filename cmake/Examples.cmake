@@ -24,32 +24,8 @@ if(TARGET developer_settings AND NOT TARGET precompiled_for_examples)
     <CGAL/boost/graph/IO/polygon_mesh_io.h> <CGAL/Approximate_geodesics.h>)
 endif()
 
-# A command-line program, in a folder of its name. One that is to be installed finds its script there:
-# `script_of_program` is where that is.
-function(add_geodesics_program program script)
-  if(NOT TARGET Approximate_geodesics::Solver)
-    return() # some packages were left out
-  endif()
-  set(script_of_program ${CMAKE_CURRENT_SOURCE_DIR}/${program}/${script})
-  if(APPROXIMATE_GEODESICS_INSTALL_PROGRAMS AND script)
-    install(PROGRAMS ${script_of_program} DESTINATION ${CMAKE_INSTALL_DATADIR}/approximate_geodesics)
-    set(script_of_program ${CMAKE_INSTALL_FULL_DATADIR}/approximate_geodesics/${script})
-  endif()
-  add_subdirectory(${program})
-  if(TARGET ${program})
-    target_compile_definitions(
-      ${program} PRIVATE APPROXIMATE_GEODESICS_VERSION="${Approximate_geodesics_VERSION}")
-    if(APPROXIMATE_GEODESICS_INSTALL_PROGRAMS)
-      install(TARGETS ${program} DESTINATION ${CMAKE_INSTALL_BINDIR})
-    endif()
-  endif()
-endfunction()
-
 # Examples of one file each, which are tests, too. `arguments_of_<program>` may say what they are called with.
 function(add_geodesics_examples) # PROGRAM ...
-  if(NOT PROJECT_IS_TOP_LEVEL AND NOT APPROXIMATE_GEODESICS_EXAMPLES)
-    return() # the programs are all that is wanted
-  endif()
   foreach(program IN LISTS ARGN)
     add_executable(${program} ${program}.cpp)
     target_link_libraries(${program} PRIVATE Approximate_geodesics::Approximate_geodesics
