@@ -299,9 +299,9 @@ public:
   /// \name Search
   /// @{
 
-  /// searches the graph if the sources or weights have changed since the last search. If few of
-  /// them have, and `CGAL/Geodesic_costs.h` is included, the results of that are repaired, as
-  /// `Propagation::repair()` says, and otherwise found anew: they are the same.
+  /// searches the graph if the sources or weights have changed since the last search. In a graph
+  /// whose weights can change, the results of that are repaired if few of them have, as
+  /// `Propagation::repair()` says: they are those of a new search.
   void build_sequence_tree()
   {
     if(changed_since_last_build())
@@ -775,7 +775,7 @@ private:
   // Finds the same distances as a new search, whether or not it repairs the results of the last.
   void update(std::vector<Source_point> sources)
   {
-    if constexpr(internal::can_continue<Search>)
+    if constexpr(internal::has_changes<Graph>)
       m_search.search().repair(std::move(sources));
     else
     {

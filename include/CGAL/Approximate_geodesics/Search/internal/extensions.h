@@ -39,11 +39,15 @@ constexpr bool can_continue = is_defined<Continued_run<Search>>;
 template <typename Graph>
 using Changes_of_arcs = decltype(std::declval<const Graph&>().arc_changes());
 
-// Returns how many changes of arcs there were.
+// Whether the arcs of a graph may change.
+template <typename Graph>
+constexpr bool has_changes = boost::is_detected_v<Changes_of_arcs, Graph>;
+
+// Returns how many changes there were.
 template <typename Graph>
 std::size_t number_of_changes([[maybe_unused]] const Graph& graph)
 {
-  if constexpr(boost::is_detected_v<Changes_of_arcs, Graph>)
+  if constexpr(has_changes<Graph>)
     return graph.arc_changes().number();
   else
     return 0;
