@@ -320,7 +320,7 @@ void approximate_geodesic_distances(const TriangleMesh& tmesh,
       are_sources,
       "approximate_geodesic_distances(tmesh, vertex_distance_map, sources): a source is a "
       "vertex descriptor, a Face_location or a Surface_point, and sources are one of them "
-      "or a range");
+      "or a range; for curves and regions, include <CGAL/Geodesic_constructions.h>");
   static_assert(
       !AG::internal::query_ignores_any<
           NamedParameters, internal_np::direction_to_source_t, internal_np::initial_distances_t,

@@ -141,13 +141,12 @@ double approximate_geodesic_path(const TriangleMesh& tmesh,
                                  const NamedParameters& np = parameters::default_values())
 {
   namespace AG = Approximate_geodesics;
-  constexpr bool are_ends =
-      (AG::internal::is_source<TriangleMesh, Source> ||
-       AG::internal::are_other_sources<
-           TriangleMesh, Source>)&&AG::internal::is_surface_point<TriangleMesh, Target>;
+  constexpr bool is_source = AG::internal::is_source<TriangleMesh, Source> ||
+                             AG::internal::are_other_sources<TriangleMesh, Source>;
+  constexpr bool are_ends = is_source && AG::internal::is_surface_point<TriangleMesh, Target>;
   static_assert(are_ends,
                 "source, target: a vertex descriptor, Face_location, or Surface_point; or a range "
-                "of sources");
+                "of sources; for curves and regions, include <CGAL/Geodesic_constructions.h>");
   static_assert(
       !AG::internal::query_ignores_any<NamedParameters, internal_np::maximum_distance_t,
                                        internal_np::straighten_t, internal_np::visitor_t>,

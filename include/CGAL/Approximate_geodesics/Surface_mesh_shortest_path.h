@@ -254,16 +254,16 @@ public:
    *         surface, if two of them cannot be joined, or if the initial distance is invalid. The
    * next search throws the same if costs depend on the direction.
    */
-  Source_point_iterator add_source_curve(const Source_curve<Triangle_mesh>& curve,
-                                         const FT initial_distance = 0)
+  template <typename Curve = Source_curve<Triangle_mesh>>
+  Source_point_iterator add_source_curve(const Curve& curve, const FT initial_distance = 0)
   {
     return add_other_source(curve, initial_distance);
   }
 
   /// adds all points of a set of faces as one source, and returns an iterator to it, which refers
   /// to a corner of one of the faces.
-  Source_point_iterator add_source_region(const Source_region<Triangle_mesh>& region,
-                                          const FT initial_distance = 0)
+  template <typename Region = Source_region<Triangle_mesh>>
+  Source_point_iterator add_source_region(const Region& region, const FT initial_distance = 0)
   {
     return add_other_source(region, initial_distance);
   }
@@ -666,6 +666,8 @@ private:
   template <typename Source>
   Source_point_iterator add_other_source(const Source& source, const FT initial_distance)
   {
+    static_assert(internal::is_other_source<Triangle_mesh, Source>,
+                  "Source_curve, Source_region: include <CGAL/Geodesic_constructions.h>");
     using Kind = internal::Other_source<Triangle_mesh, Source>;
     auto read = std::make_shared<typename Kind::Read>(Kind::read(m_graph, m_translation, source));
     read->distance = initial_distance;
@@ -679,7 +681,7 @@ private:
 
   using Attached_sources = std::unique_ptr<typename Mesh_search::Surface_search::Sources>;
 
-  // Makes all sources some of one kind.
+  // Converts all sources to one kind, which points are a special case of.
   template <typename Kind>
   static Attached_sources attached(const Graph& graph, const std::list<Listed_source>& sources)
   {

@@ -9,6 +9,7 @@
 #include <CGAL/license/Geodesic_queries.h>
 
 #include <CGAL/Approximate_geodesics/Base/internal/named_parameters.h>
+#include <CGAL/Approximate_geodesics/Graphs/Discrete_geodesic_graph.h> // their approximation
 #include <CGAL/Geodesic_queries/Landmarks.h>
 #include <CGAL/tags.h>
 

@@ -87,7 +87,7 @@ namespace CGAL::Approximate_geodesics {
  * distance beyond the largest `double` is given as infinity.
  *
  * If an exception leaves `run()`, thrown by a visitor or because memory is exhausted, nothing
- * counts as reached, and the object may be used again.
+ * counts as reached, and the object may be used again. Objects can be moved, but not copied.
  *
  * \tparam GeodesicGraph a model of `GeodesicGraph`
  * \tparam PriorityQueue a model of `GeodesicPriorityQueue`

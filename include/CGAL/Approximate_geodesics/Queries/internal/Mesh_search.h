@@ -309,8 +309,9 @@ bool is_accepted_by_graphs(const Intrinsic_triangulation& triangulation,
                            [[maybe_unused]] const NamedParameters& np)
 {
   if constexpr(is_given<NamedParameters, internal_np::number_of_points_per_edge_t>)
-    if(!Cost_graphs<NamedParameters>::is_in_limit(triangulation, np))
-      return false;
+    if constexpr(is_defined<Cost_graphs<NamedParameters>>)
+      if(!Cost_graphs<NamedParameters>::is_in_limit(triangulation, np))
+        return false;
   return triangulation.face_without_shape() == null_index;
 }
 

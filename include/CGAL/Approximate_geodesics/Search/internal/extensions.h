@@ -17,7 +17,7 @@
 #include <utility>
 
 // What the package of costs adds to `Propagation`: searches of graphs whose arcs change, or cost
-// nothing. These classes are only declared here.
+// nothing. `Continued_run`, `Free_ways` and `Free_ends` are only declared here.
 
 namespace CGAL::Approximate_geodesics::internal {
 
@@ -66,7 +66,7 @@ template <typename Graph>
 constexpr bool
     tells_free_arcs = is_valid<const Graph&, bool>([](auto& g) -> decltype(g.has_free_arcs()) {});
 
-// Stands for `Free_ways` if a graph does not tell free arcs, or the header is missing.
+// Stands for `Free_ways` if a graph does not tell free arcs.
 struct No_free_ways
 {
   void forget() {}
