@@ -66,8 +66,9 @@ void write_distances(const TriangleMesh& tmesh,
  *         which `double` is convertible
  * \tparam Sources `boost::graph_traits<TriangleMesh>::%vertex_descriptor`,
  *         `Approximate_geodesics::Face_location`, `Approximate_geodesics::Surface_point`,
- *         `Approximate_geodesics::Source_curve`, `Approximate_geodesics::Source_region`, or a model
- *         of `ConstRange` with one of these as value type
+ *         `Approximate_geodesics::Source_curve`, `Approximate_geodesics::Source_region` (both in
+ *         `CGAL/Geodesic_constructions.h`), or a model of `ConstRange` with one of these as value
+ *         type
  * \tparam NamedParameters a sequence of \ref bgl_namedparameters "Named Parameters"
  *
  * \param tmesh the triangle mesh; it is not changed
