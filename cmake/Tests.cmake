@@ -113,3 +113,27 @@ function(link_compiled_searches) # PROGRAM ...
     endif()
   endforeach()
 endfunction()
+
+# Programs whose tests let allocations fail have global allocation functions of their own.
+function(let_allocations_fail program)
+  set(source ${test_dir}/Approximate_geodesics/include/checks/failing_allocation.cpp)
+  if(TARGET ${program})
+    target_sources(${program} PRIVATE ${source})
+    set_source_files_properties(${source} PROPERTIES SKIP_UNITY_BUILD_INCLUSION ON)
+  endif()
+endfunction()
+
+# Wrong calls, those of the file `name`.cpp, are refused by the compiler, in words. Sanitizers find nothing
+# there that they do not find elsewhere.
+function(expect_errors name) # [LABEL]
+  if(NOT CMAKE_CXX_COMPILER_ID MATCHES "GNU|Clang" OR APPROXIMATE_GEODESICS_SANITIZERS)
+    return()
+  endif()
+  string(REPLACE ";" _ test "${name};${ARGN}")
+  add_test(NAME ${test}
+           COMMAND ${CMAKE_COMMAND} -D compiler=${CMAKE_CXX_COMPILER}
+                   -D include_dirs=$<TARGET_PROPERTY:test_settings,INTERFACE_INCLUDE_DIRECTORIES>
+                   -D source=${CMAKE_CURRENT_SOURCE_DIR}/${name}.cpp
+                   -P ${test_dir}/../cmake/expect_errors.cmake)
+  set_tests_properties(${test} PROPERTIES TIMEOUT 300)
+endfunction()

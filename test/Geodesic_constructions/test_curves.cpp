@@ -12,6 +12,7 @@
 #include "meshes/test_costs.h"
 #include "meshes/test_meshes.h"
 #include "meshes/test_weights.h"
+#include "oracles/Graph_with_lines.h"
 #include "oracles/distances_to_curves.h"
 #include "oracles/test_oracles.h"
 
@@ -461,6 +462,15 @@ TEST(Curve, sources_are_refused_where_costs_depend_on_the_direction)
   expect_message<std::invalid_argument>(
       [&] { AG::run_from_curves(search, {{{{Intrinsic_point::at_vertex(0)}}}}); },
       "Directional_graph");
+}
+
+TEST(Curve, sources_are_refused_by_graphs_whose_runs_find_no_lines_from_curves)
+{
+  const Mesh mesh = quiet_mesh();
+  const Graph_with_lines graph(Triangulation(mesh), CGAL::parameters::default_values());
+  AG::Surface_search<Graph_with_lines> search(graph);
+  expect_message<std::invalid_argument>(
+      [&] { AG::run_from_curves(search, {{{{Intrinsic_point::at_vertex(0)}}}}); }, "curves");
 }
 
 } // namespace

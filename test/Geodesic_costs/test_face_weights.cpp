@@ -294,4 +294,19 @@ TEST(Weighted_faces, are_refused_by_graphs_that_do_not_heed_them)
   expect_refusal<AG::Lazy_discrete_geodesic_graph>("Lazy_discrete_geodesic_graph");
 }
 
+TEST(Saddle_vertex_graph, refuses_weights_and_barriers)
+{
+  Random random(test_seed());
+  const Mesh mesh = quiet_mesh();
+  const Triangulation weighted(mesh, with_weights(random_weights(mesh, random, 0.5, 2)));
+  expect_message<std::invalid_argument>([&] { AG::Saddle_vertex_graph{weighted}; },
+                                        "Saddle_vertex_graph does not support weights",
+                                        "use Steiner_graph");
+  const Barriers barriers = random_barriers(mesh, 0.5, random);
+  const Triangulation divided(mesh, with_barriers(barriers));
+  expect_message<std::invalid_argument>([&] { AG::Saddle_vertex_graph{divided}; },
+                                        "Saddle_vertex_graph does not support barriers",
+                                        "use Steiner_graph");
+}
+
 } // namespace

@@ -5,6 +5,7 @@
 
 #include "checks/expect_everything.h"
 #include "checks/expect_message.h"
+#include "fixtures/expect_distances_on_fan.h"
 #include "meshes/Cut_mesh.h"
 #include "meshes/test_weights.h"
 #include "peers/Published_geometric_points.h"
@@ -290,6 +291,12 @@ TEST(Hostile_weights, give_costs_to_all_points)
         }
       }
     });
+}
+
+TEST(Hostile_meshes, vertex_with_very_many_neighbors_and_points)
+{
+  expect_distances_on_fan<AG::Steiner_graph<AG::Fixed_number_of_points>>(
+      1000, parameters::number_of_points_per_edge(1));
 }
 
 } // namespace

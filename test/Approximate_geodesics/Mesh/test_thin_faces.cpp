@@ -347,8 +347,8 @@ TEST(Thin_faces, make_no_shortcuts)
     check(discrete_geodesic_graph(0.01));
     check(lazy_graph(0.1, Lazy_discrete_geodesic_graph::Arcs::FORGOTTEN));
     check(lazy_graph(0.01, Lazy_discrete_geodesic_graph::Arcs::FORGOTTEN));
-    check(graph_with_spaced_points(1));
-    check(graph_with_spaced_points(3));
+    with_spaced_points(1, check);
+    with_spaced_points(3, check);
     check(saddle_vertex_graph());
   });
 }

@@ -11,7 +11,6 @@
 #include "meshes/developed_surfaces.h"
 #include "meshes/random_soups.h"
 #include "meshes/sample_meshes.h"
-#include "meshes/test_weights.h"
 #include "oracles/exact_surface_distances.h"
 
 #include <gtest/gtest.h>
@@ -381,23 +380,6 @@ TEST(Exact_distances, are_those_of_the_exact_class_on_sample_meshes)
       }
     }
   }
-}
-
-// ----- refusals
-
-TEST(Saddle_vertex_graph, refuses_weights_and_barriers)
-{
-  Random random(test_seed());
-  const Mesh mesh = quiet_mesh();
-  const Triangulation weighted(mesh, with_weights(random_weights(mesh, random, 0.5, 2)));
-  expect_message<std::invalid_argument>([&] { Saddle_vertex_graph{weighted}; },
-                                        "Saddle_vertex_graph does not support weights",
-                                        "use Steiner_graph");
-  const Barriers barriers = random_barriers(mesh, 0.5, random);
-  const Triangulation divided(mesh, with_barriers(barriers));
-  expect_message<std::invalid_argument>([&] { Saddle_vertex_graph{divided}; },
-                                        "Saddle_vertex_graph does not support barriers",
-                                        "use Steiner_graph");
 }
 
 } // namespace

@@ -8,160 +8,30 @@
 #include "checks/expect_message.h"
 #include "checks/graphs_of_all_kinds.h"
 #include "checks/test_random.h"
+#include "fixtures/Surface_searches.h"
 #include "meshes/surface_points.h"
+#include "oracles/Graph_with_lines.h"
 #include "oracles/test_oracles.h"
 
 #include <CGAL/Approximate_geodesics/Mesh/Mesh_translation.h>
 #include <CGAL/Approximate_geodesics/Paths/Path_straightener.h>
 #include <CGAL/Approximate_geodesics/Surface_mesh_shortest_path.h>
-#include <CGAL/Geodesic_constructions/search_from_curves.h>
-#include <CGAL/Geodesic_costs/Directional_graph.h>
 
 #include <gtest/gtest.h>
 
 #include <cmath>
 #include <cstddef>
-#include <cstdint>
 #include <iterator>
-#include <limits>
 #include <stdexcept>
-#include <thread>
-#include <utility>
 #include <vector>
 
 // Distances and paths between any points, on a graph that several threads share.
 
 namespace AG = CGAL::Approximate_geodesics;
 
-// A graph and a run as the pages of their concepts ask for, which finds lines from labels.
-template <typename Graph>
-class Run_with_lines : public AG::Geodesic_run_base<Graph>
-{
-  using Base = AG::Geodesic_run_base<Graph>;
-
-public:
-  static constexpr bool attaches_by_labels = true;
-
-  explicit Run_with_lines(const Graph& graph) : Base(graph) {}
-
-  template <typename F>
-  void for_each_line_from(const AG::Intrinsic_point& point, double /* distance */, F f) const
-  {
-    this->graph().attach(point).for_each_node(
-        [&](const auto node, const double length) { f(node, length, typename Base::Payload()); });
-  }
-
-  template <typename Labels, typename OnNode, typename OnPoint>
-  void for_each_line_to(const AG::Intrinsic_point& point,
-                        double /* distance */,
-                        const Labels& /* labels */,
-                        const AG::Points_by_face& points,
-                        OnNode on_node,
-                        OnPoint on_point) const
-  {
-    this->graph().attach(point).for_each_node(on_node);
-    this->graph().attach(point).for_each_point(points, on_point);
-  }
-};
-
-class Graph_with_lines
-{
-public:
-  using Node = std::uint32_t;
-  using Run = Run_with_lines<Graph_with_lines>;
-
-  static constexpr bool arcs_are_edges = true;
-
-  template <typename NamedParameters>
-  Graph_with_lines(AG::Intrinsic_triangulation triangulation, const NamedParameters& np)
-    : m_edges(std::move(triangulation), np)
-  {
-  }
-
-  std::size_t number_of_nodes() const { return m_edges.number_of_nodes(); }
-  double unit() const { return m_edges.unit(); }
-  AG::Arc_lengths arc_lengths() const { return m_edges.arc_lengths(); }
-  const AG::Intrinsic_triangulation& triangulation() const { return m_edges.triangulation(); }
-
-  template <typename Labels, typename F>
-  void for_each_arc(const Node node, const Labels& labels, F f) const
-  {
-    m_edges.for_each_arc(node, labels, f);
-  }
-
-  AG::Lines_in_faces attach(const AG::Intrinsic_point& point) const
-  {
-    return m_edges.attach(point);
-  }
-
-private:
-  AG::Edge_graph m_edges;
-};
-
-// All members compile for every graph, called or not.
-template class AG::Surface_search<Graph_with_lines>;
-template class AG::Surface_search<AG::Directional_graph<>>;
-template class AG::Surface_search<AG::Discrete_geodesic_graph>;
-template class AG::Surface_search<AG::Edge_graph>;
-template class AG::Surface_search<AG::Lazy_discrete_geodesic_graph>;
-template class AG::Surface_search<AG::Saddle_vertex_graph>;
-template class AG::Surface_search<AG::Steiner_graph<>>;
-
 namespace {
 
 using namespace geodesics_test;
-
-class Surface_searches : public testing::Test
-{
-protected:
-  Surface_searches()
-  {
-    m_translation.list_vertices();
-    for(int i = 0; i < 12; ++i)
-      m_points.push_back(m_translation.intrinsic_point(random_surface_point(m_mesh, m_random)));
-  }
-
-  // The distances and the points of the paths from one point to all of them.
-  template <typename Graph>
-  std::vector<double> results(const Graph& graph, const std::size_t source) const
-  {
-    std::vector<double> result;
-    AG::Surface_search<Graph> search(graph);
-    search.run({{m_points[source]}});
-    for(const AG::Intrinsic_point& p : m_points)
-    {
-      const AG::Path path = search.find_path(p);
-      result.push_back(search.distance(p));
-      result.push_back(path.length);
-      for(const AG::Intrinsic_point& q : path.points)
-        result.insert(result.end(), {double(q.vertex), double(q.halfedge), q.t, q.s});
-    }
-    return result;
-  }
-
-  template <typename Graph>
-  void expect_same_in_all_threads(const Graph& graph) const
-  {
-    std::vector<std::vector<double>> found(m_points.size());
-    std::vector<std::thread> threads;
-    for(std::size_t t = 0; t < 4; ++t)
-      threads.emplace_back([&, t] {
-        for(std::size_t i = t; i < m_points.size(); i += 4)
-          found[i] = results(graph, i);
-      });
-    for(std::thread& thread : threads)
-      thread.join();
-    for(std::size_t i = 0; i < m_points.size(); ++i)
-      EXPECT_EQ(found[i], results(graph, i));
-  }
-
-  Random m_random{test_seed()};
-  const Mesh m_mesh = to_mesh(terrain(14, 12, m_random));
-  const Triangulation m_triangulation{m_mesh};
-  AG::Mesh_translation<Mesh, decltype(get(boost::vertex_index, m_mesh))> m_translation{
-      m_mesh, get(boost::vertex_index, m_mesh), m_triangulation};
-  std::vector<AG::Intrinsic_point> m_points;
-};
 
 TEST_F(Surface_searches, give_every_thread_distances_and_paths)
 {
@@ -169,8 +39,6 @@ TEST_F(Surface_searches, give_every_thread_distances_and_paths)
   expect_same_in_all_threads(Discrete_geodesic_graph(m_triangulation));
   expect_same_in_all_threads(Lazy_discrete_geodesic_graph(
       m_triangulation, CGAL::parameters::epsilon(0.1), Lazy_discrete_geodesic_graph::Arcs::KEPT));
-  expect_same_in_all_threads(
-      Steiner_graph<Fixed_number_of_points>(m_triangulation, Fixed_number_of_points(2)));
 }
 
 // The length of a path is that of its points, wherever they are; along edges, it is the distance to
@@ -202,11 +70,6 @@ TEST_F(Surface_searches, take_graphs_that_have_what_concepts_ask_for)
 {
   const Graph_with_lines graph(m_triangulation, CGAL::parameters::default_values());
   EXPECT_EQ(results(graph, 0), results(AG::Edge_graph(m_triangulation), 0));
-  AG::Surface_search<Graph_with_lines> search(graph);
-  search.repair({{m_points[0]}});
-  EXPECT_EQ(search.distance(m_points[0]), 0);
-  expect_message<std::invalid_argument>([&] { AG::run_from_curves(search, {{{m_points}}}); },
-                                        "curves");
 
   AG::Surface_mesh_shortest_path<Mesh, Graph_with_lines> paths(m_mesh);
   AG::Surface_mesh_shortest_path<Mesh, AG::Edge_graph> expected(m_mesh);

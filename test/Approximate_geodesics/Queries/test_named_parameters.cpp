@@ -3,7 +3,7 @@
 //
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-#include <CGAL/Approximate_geodesics.h>
+#include <CGAL/approximate_geodesic_distances.h>
 
 #include "checks/test_recorder.h"
 #include "oracles/test_oracles.h"

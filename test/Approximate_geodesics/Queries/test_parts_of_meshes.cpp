@@ -11,7 +11,6 @@
 #include "meshes/hostile_meshes.h"
 #include "meshes/surface_points.h"
 
-#include <CGAL/Geodesic_costs.h>
 #include <CGAL/Polyhedron_3.h>
 #include <CGAL/approximate_geodesic_path.h>
 #include <CGAL/boost/graph/Euler_operations.h>
@@ -257,26 +256,6 @@ TEST(Part_of_mesh, is_right_for_coordinates_of_any_size)
 
 // ----- bad input
 
-class Bad_part : public testing::Test
-{
-protected:
-  template <typename... Texts>
-  void expect_rejection(const Mesh& mesh, const Texts&... texts) const
-  {
-    for(const double epsilon : {0., 0.1})
-      expect_message<std::invalid_argument>(
-          [&] { length_of_path(mesh, near, near_too, parameters::epsilon(epsilon)); }, texts...);
-    expect_message<std::invalid_argument>(
-        [&] { distances_from(mesh, near, parameters::maximum_distance(2.5)); }, texts...);
-  }
-
-  static constexpr Mesh::size_type n = 50;
-  static Vertex at(const Mesh::size_type i, const Mesh::size_type j) { return Vertex(i + n * j); }
-
-  const Vertex near = at(10, 10), near_too = at(12, 10);
-  Mesh m_mesh = to_mesh(flat_grid(n, n));
-};
-
 TEST_F(Bad_part, is_refused_where_it_is_read)
 {
   const auto with_point_at = [&](const Vertex v, const double x) {
@@ -319,24 +298,6 @@ TEST_F(Bad_part, is_refused_if_a_face_of_it_is_too_small)
     expect_message<std::invalid_argument>(
         [&] { bare_length(m_mesh, near, near_too, parameters::epsilon(epsilon)); }, "too small",
         number(near), number(at(11, 10)), number(at(11, 11)));
-}
-
-TEST_F(Bad_part, is_refused_if_it_takes_too_many_points)
-{
-  const auto np = parameters::maximum_number_of_points(1000).number_of_points_per_edge(500);
-  const auto message = [&](const auto& all) {
-    try
-    {
-      bare_length(m_mesh, near, near_too, all);
-    }
-    catch(const std::length_error& e)
-    {
-      return std::string(e.what());
-    }
-    return std::string();
-  };
-  EXPECT_NE(message(np), "");
-  EXPECT_EQ(message(np), message(np.visitor(AG::Geodesic_visitor_base())));
 }
 
 // The walk around a vertex from one border of the part to the next enters a cycle outside of it.

@@ -4,7 +4,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 
 #include <CGAL/Approximate_geodesics/Queries/internal/Mesh_search.h>
-#include <CGAL/Geodesic_costs.h>
 
 #include "checks/parts_of_meshes.h"
 
@@ -21,22 +20,6 @@ namespace {
 using namespace geodesics_test;
 namespace AG = CGAL::Approximate_geodesics;
 namespace parameters = CGAL::parameters;
-
-// Calls `f(mesh, source, target)` for random points of all large meshes.
-template <typename F>
-void for_each_random_pair(F f)
-{
-  Random random(test_seed());
-  for(const auto& [name, mesh] : large_meshes())
-  {
-    SCOPED_TRACE(name);
-    for(int i = 0; i < 10; ++i)
-    {
-      const Surface_point source = random_surface_point(mesh, random);
-      f(mesh, source, random_target(mesh, source, random));
-    }
-  }
-}
 
 TEST(Part_of_mesh, has_the_shortest_paths)
 {
@@ -61,15 +44,12 @@ TEST(Part_of_mesh, has_the_shortest_paths)
   });
 }
 
-TEST(Part_of_mesh, has_the_shortest_paths_along_edges_and_through_points_on_them)
+TEST(Part_of_mesh, has_the_shortest_paths_along_edges)
 {
   const AG::Geodesic_visitor_base visitor;
   for_each_random_pair([&](const Mesh& mesh, const auto& source, const auto& target) {
     expect_same_length(length_of_path(mesh, source, target, parameters::default_values()),
                        length_of_path(mesh, source, target, parameters::visitor(visitor)), mesh);
-    const auto with_points = parameters::number_of_points_per_edge(2);
-    expect_same_length(length_of_path(mesh, source, target, with_points),
-                       length_of_path(mesh, source, target, with_points.visitor(visitor)), mesh);
   });
 }
 

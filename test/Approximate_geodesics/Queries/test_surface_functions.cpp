@@ -3,8 +3,8 @@
 //
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-#include "checks/expect_costs.h"
-#include "meshes/steiner_meshes.h"
+#include "fixtures/functions_and_class.h"
+#include "meshes/for_generated_meshes.h"
 #include "meshes/surface_points.h"
 
 #include <CGAL/Approximate_geodesics/Graphs/Lazy_discrete_geodesic_graph.h>
@@ -14,16 +14,10 @@
 
 #include <gtest/gtest.h>
 
-#include <algorithm>
 #include <cmath>
 #include <cstddef>
 #include <iterator>
-#include <type_traits>
-#include <variant>
 #include <vector>
-
-// The functions that take any points of a surface as sources and targets: they find what the class
-// finds.
 
 namespace {
 
@@ -31,114 +25,21 @@ namespace AG = CGAL::Approximate_geodesics;
 namespace parameters = CGAL::parameters;
 using namespace geodesics_test;
 
-template <typename Graph>
-using Paths_over = AG::Surface_mesh_shortest_path<Mesh, Graph>;
-
-using Steiner = Steiner_graph<Fixed_number_of_points>;
-
-// What the class says of all vertices.
-template <typename Graph>
-std::vector<double> distances_by_class(Paths_over<Graph>& paths, const Mesh& mesh)
-{
-  std::vector<double> result;
-  for(const Vertex v : mesh.vertices())
-  {
-    const double d = paths.shortest_distance_to_source_points(v).first;
-    result.push_back(d < 0 ? infinity : d);
-  }
-  return result;
-}
-
-template <typename Sources, typename... NamedParameters>
-std::vector<double>
-distances_by_function(const Mesh& mesh, const Sources& sources, const NamedParameters&... np)
-{
-  std::vector<double> result(mesh.num_vertices(), -5);
-  CGAL::approximate_geodesic_distances(
-      mesh, boost::make_iterator_property_map(result.begin(), get(boost::vertex_index, mesh)),
-      sources, np...);
-  return result;
-}
-
-// What is found on a lazy graph depends on what is searched for.
-template <typename Graph>
-constexpr double tolerated = std::is_same_v<Graph, AG::Lazy_discrete_geodesic_graph> ? 0.2 : 1e-12;
-
-template <typename Graph, typename NamedParameters>
-void expect_same_distances(const Mesh& mesh, Random& random, const NamedParameters& np)
-{
-  Paths_over<Graph> paths(mesh, np);
-  for(int i = 0; i < 6; ++i)
-  {
-    const Surface_point source = random_surface_point(mesh, random);
-    paths.remove_all_source_points();
-    paths.add_source_point(source);
-    const std::vector<double> found = distances_by_function(mesh, source, np);
-    expect_about_the_same(found, distances_by_class(paths, mesh), tolerated<Graph>);
-    if(const Face_location* location = std::get_if<Face_location>(&source))
-    {
-      const std::vector<Face_location> range = {*location};
-      EXPECT_TRUE(have_same_bits(distances_by_function(mesh, *location, np), found));
-      EXPECT_TRUE(have_same_bits(distances_by_function(mesh, range, np), found));
-    }
-  }
-}
-
 TEST(Surface_functions, find_the_distances_that_the_class_finds)
 {
   for_generated_meshes([](const Mesh& mesh, Random& random) {
-    expect_same_distances<AG::Edge_graph>(mesh, random, parameters::default_values());
-    expect_same_distances<AG::Lazy_discrete_geodesic_graph>(mesh, random, parameters::epsilon(0.2));
-    expect_same_distances<Steiner>(mesh, random, parameters::number_of_points_per_edge(2));
+    expect_same_distances_as_class<AG::Edge_graph>(mesh, random, parameters::default_values());
+    expect_same_distances_as_class<AG::Lazy_discrete_geodesic_graph>(mesh, random,
+                                                                     parameters::epsilon(0.2));
   });
-}
-
-template <typename Graph, typename NamedParameters>
-void expect_same_paths(const Mesh& mesh, Random& random, const NamedParameters& np)
-{
-  Paths_over<Graph> paths(mesh, np);
-  for(int i = 0; i < 20; ++i)
-  {
-    const Surface_point source = random_surface_point(mesh, random);
-    const Surface_point target = random_surface_point(mesh, random);
-    paths.remove_all_source_points();
-    paths.add_source_point(source);
-    const double expected = paths.shortest_distance_to_source_points(target).first;
-    std::vector<Point> points;
-    const double found =
-        CGAL::approximate_geodesic_path(mesh, std::back_inserter(points), source, target, np);
-    EXPECT_EQ(points.empty(), expected < 0);
-    if(expected < 0)
-    {
-      EXPECT_EQ(found, infinity);
-      continue;
-    }
-    const double tolerance = 1e-12 * size(mesh);
-    EXPECT_NEAR(found, expected, tolerated<Graph> * expected + tolerance);
-    EXPECT_LE(distance_in_space(points.front(), position(mesh, source)), tolerance);
-    EXPECT_LE(distance_in_space(points.back(), position(mesh, target)), tolerance);
-    EXPECT_NEAR(length_of(points), found, 1e-9 * found + tolerance);
-  }
 }
 
 TEST(Surface_functions, find_the_paths_that_the_class_finds)
 {
   for_generated_meshes([](const Mesh& mesh, Random& random) {
-    expect_same_paths<AG::Edge_graph>(mesh, random, parameters::default_values());
-    expect_same_paths<AG::Lazy_discrete_geodesic_graph>(mesh, random, parameters::epsilon(0.2));
-    expect_same_paths<Steiner>(mesh, random, parameters::number_of_points_per_edge(2));
-  });
-}
-
-TEST(Surface_functions, take_costs_for_distances)
-{
-  for_weighted_meshes([](const Mesh& mesh, const Weights& weights, Random& random) {
-    Paths_over<Steiner> paths(mesh, steiner_graph(mesh, weights, Fixed_number_of_points(2)));
-    const Surface_point source = random_surface_point(mesh, random);
-    paths.add_source_point(source);
-    EXPECT_TRUE(have_same_bits(
-        distances_by_function(mesh, source, with_weights(weights).number_of_points_per_edge(2)),
-        distances_by_class(paths, mesh)));
+    expect_same_paths_as_class<AG::Edge_graph>(mesh, random, parameters::default_values());
+    expect_same_paths_as_class<AG::Lazy_discrete_geodesic_graph>(mesh, random,
+                                                                 parameters::epsilon(0.2));
   });
 }
 

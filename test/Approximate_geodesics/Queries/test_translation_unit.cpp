@@ -3,13 +3,15 @@
 //
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-#include <CGAL/Approximate_geodesics.h>
+#include <CGAL/Approximate_geodesics/Surface_mesh_shortest_path.h>
+#include <CGAL/approximate_geodesic_distances.h>
+#include <CGAL/approximate_geodesic_path.h>
 
 #include "oracles/test_oracles.h"
 
-#include <CGAL/Approximate_geodesics.h> // twice does no harm
+#include <CGAL/approximate_geodesic_distances.h> // twice does no harm
 
-// Uses the whole package in a second translation unit of the same program.
+// Uses the core in a second translation unit of the same program.
 
 int distances_of_the_other_translation_unit();
 

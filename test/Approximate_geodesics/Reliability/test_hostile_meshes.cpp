@@ -4,17 +4,15 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 
 #include "checks/expect_everything.h"
+#include "fixtures/expect_distances_on_fan.h"
 
 #include <CGAL/Approximate_geodesics/Graphs/Discrete_geodesic_graph.h>
 #include <CGAL/Approximate_geodesics/Graphs/Edge_graph.h>
 #include <CGAL/Approximate_geodesics/Graphs/Lazy_discrete_geodesic_graph.h>
 #include <CGAL/Approximate_geodesics/Graphs/Saddle_vertex_graph.h>
-#include <CGAL/Geodesic_costs.h>
 
 #include <gtest/gtest.h>
 
-#include <algorithm>
-#include <cmath>
 #include <cstddef>
 
 // Graphs of vertices on meshes that are as bad as they get: distances and paths are right all the
@@ -56,35 +54,6 @@ TEST(Hostile_meshes, saddle_vertex_graph)
 
 // ----- a vertex with very many neighbors, in every graph
 
-// From a vertex of the frontier of a disk whose hub is vertex 0: the shortest way along edges is
-// the frontier's, or by way of the hub.
-template <typename Graph, typename NamedParameters>
-void expect_distances_on_fan(const std::size_t valence, const NamedParameters& np)
-{
-  const Mesh mesh = to_mesh(fan(valence));
-  const auto line = [&](const Vertex v) {
-    return std::sqrt(CGAL::squared_distance(mesh.point(Vertex(1)), mesh.point(v)));
-  };
-  Shortest_paths<Graph> paths(mesh, np);
-  const Bound bound = bound_of(paths.graph());
-  constexpr double rounding = 1e-11; // of sums along the frontier
-  paths.set_sources({Vertex(1)});
-  for(const Vertex v : mesh.vertices())
-  {
-    const std::size_t i = v.idx();
-    const std::size_t steps = (std::min)(i - 1, valence + 1 - i);
-    const double along_edges =
-        i == 0 ? 1 : (std::min)(static_cast<double>(steps) * line(Vertex(2)), 2.);
-    const double found = paths.distance(v);
-    EXPECT_GE(found, (bound.is_along_edges ? along_edges : line(v)) - rounding);
-    EXPECT_LE(found, along_edges * (1 + bound.of_edges) + rounding);
-    if(bound.epsilon < infinity)
-    {
-      EXPECT_LE(found, line(v) * (1 + bound.epsilon));
-    }
-  }
-}
-
 // What a vertex sees is followed across all faces around it, from each of its neighbors: this
 // takes a time that grows with the square of their number, or with their number along edges.
 TEST(Hostile_meshes, vertex_with_very_many_neighbors)
@@ -93,8 +62,6 @@ TEST(Hostile_meshes, vertex_with_very_many_neighbors)
     expect_distances_on_fan<AG::Edge_graph>(valence, parameters::default_values());
   expect_distances_on_fan<AG::Discrete_geodesic_graph>(1000, parameters::epsilon(0.1));
   expect_distances_on_fan<AG::Lazy_discrete_geodesic_graph>(1000, parameters::epsilon(0.1));
-  expect_distances_on_fan<AG::Steiner_graph<AG::Fixed_number_of_points>>(
-      1000, parameters::number_of_points_per_edge(1));
 }
 
 } // namespace

@@ -121,7 +121,7 @@ void for_each_class(F f)
   f(Class_subject(edge_graph()));
   f(Class_subject(lazy_graph(0.2, Lazy_discrete_geodesic_graph::Arcs::FORGOTTEN)));
   f(Class_subject(discrete_geodesic_graph(0.2)));
-  f(Class_subject(graph_with_spaced_points(1)));
+  with_spaced_points(1, [&](const auto& kind) { f(Class_subject(kind)); });
 }
 
 TEST(Visitor_of_the_class, can_throw_at_any_time)

@@ -3,14 +3,11 @@
 //
 // SPDX-License-Identifier: GPL-3.0-or-later
 
+#include "fixtures/Wrong_input.h"
 #include "meshes/surface_points.h"
 
 #include <CGAL/Approximate_geodesics/Graphs/Discrete_geodesic_graph.h>
 #include <CGAL/Approximate_geodesics/Surface_mesh_shortest_path.h>
-#include <CGAL/Geodesic_constructions/farthest_point_sampling.h>
-#include <CGAL/Geodesic_constructions/isolines.h>
-#include <CGAL/Geodesic_costs.h>
-#include <CGAL/approximate_geodesic_distances.h>
 #include <CGAL/approximate_geodesic_path.h>
 #include <CGAL/boost/graph/Euler_operations.h>
 
@@ -19,127 +16,19 @@
 #include <cmath>
 #include <cstddef>
 #include <fstream>
-#include <functional>
 #include <iterator>
-#include <limits>
 #include <sstream>
 #include <stdexcept>
 #include <string>
 #include <vector>
 
-// What users get wrong, in one table: none of it is ignored, and each message says what is wrong
-// and where. What does not compile is in Queries/wrong_calls and Search/wrong_models.cpp.
+// What does not compile is in Queries/wrong_calls and Search/wrong_models.cpp.
 
 namespace {
 
 using namespace geodesics_test;
 namespace AG = CGAL::Approximate_geodesics;
 namespace parameters = CGAL::parameters;
-
-struct Trial
-{
-  std::string name;
-  std::function<void()> call;
-  std::vector<std::string> texts; // of the message
-};
-
-void expect_refusals(const std::vector<Trial>& trials)
-{
-  for(const Trial& trial : trials)
-  {
-    std::string message;
-    try
-    {
-      trial.call();
-      ADD_FAILURE() << trial.name << " is accepted";
-    }
-    catch(const std::exception& e)
-    {
-      message = e.what();
-    }
-    for(const std::string& text : trial.texts)
-      EXPECT_NE(message.find(text), std::string::npos)
-          << trial.name << ": \"" << text << "\" is not in: " << message;
-  }
-}
-
-class Wrong_input : public testing::Test
-{
-protected:
-  // From vertex 0, of a mesh of its own, to which `change` is done.
-  template <typename Change>
-  static std::function<void()> distances_after(const Change change)
-  {
-    return [change] {
-      Mesh mesh = to_mesh(flat_grid(6, 6));
-      change(mesh);
-      distances(mesh, Vertex(0));
-    };
-  }
-
-  template <typename Sources, typename... NamedParameters>
-  static std::vector<double>
-  distances(const Mesh& mesh, const Sources& sources, const NamedParameters&... np)
-  {
-    std::vector<double> result(mesh.num_vertices(), -5);
-    CGAL::approximate_geodesic_distances(
-        mesh, boost::make_iterator_property_map(result.begin(), get(boost::vertex_index, mesh)),
-        sources, np...);
-    return result;
-  }
-
-  template <typename Sources, typename... NamedParameters>
-  std::function<void()> distances_from(const Sources& sources, const NamedParameters&... np) const
-  {
-    return [this, sources, np...] { distances(m_mesh, sources, np...); };
-  }
-
-  // With `bad` as the value of the edge, or the face, with the number 7.
-  std::function<void()> distances_with_length(const double bad) const
-  {
-    return [this, bad] {
-      std::vector<double> lengths(m_mesh.num_edges(), 1);
-      lengths[7] = bad;
-      const auto map =
-          boost::make_iterator_property_map(lengths.begin(), get(boost::edge_index, m_mesh));
-      distances(m_mesh, Vertex(0), parameters::edge_length_map(map).epsilon(0.1));
-    };
-  }
-
-  template <typename Weights>
-  auto weight_map(const Weights& weights) const
-  {
-    return boost::make_iterator_property_map(weights.begin(), get(boost::face_index, m_mesh));
-  }
-
-  std::function<void()> distances_with_weight(const double bad) const
-  {
-    return [this, bad] {
-      std::vector<double> weights(m_mesh.num_faces(), 1);
-      weights[7] = bad;
-      distances(m_mesh, Vertex(0), parameters::face_weight_map(weight_map(weights)).epsilon(0.1));
-    };
-  }
-
-  static std::string graph_file(const Mesh& mesh)
-  {
-    std::ostringstream out;
-    AG::Discrete_geodesic_graph(Triangulation(mesh)).save(out);
-    return out.str();
-  }
-
-  std::function<void()> load(const std::string& file) const
-  {
-    return [this, file] {
-      std::istringstream in(file);
-      AG::Discrete_geodesic_graph::load(in, Triangulation(m_mesh));
-    };
-  }
-
-  static constexpr double m_nan = std::numeric_limits<double>::quiet_NaN();
-  static constexpr double m_infinity = std::numeric_limits<double>::infinity();
-  const Mesh m_mesh = to_mesh(flat_grid(6, 6));
-};
 
 TEST_F(Wrong_input, of_meshes)
 {
@@ -158,8 +47,6 @@ TEST_F(Wrong_input, of_meshes)
        distances_with_length(9),
        {"triangle inequality", "9"}},
       {"a negative length", distances_with_length(-1), {"length", "-1", "not negative"}},
-      {"a negative weight", distances_with_weight(-2), {"weight", "-2", "not negative"}},
-      {"a weight that is no number", distances_with_weight(m_nan), {"weight", "nan"}},
       {"two vertices with one index",
        distances_from(Vertex(0), parameters::vertex_index_map(
                                      boost::make_static_property_map<Vertex>(std::size_t(3)))),
@@ -188,21 +75,6 @@ TEST_F(Wrong_input, of_numbers)
       {"coordinates with the sum 2",
        distances_from(Face_location(Face(3), {1, 0.5, 0.5})),
        {"source: barycentric coordinates", "their sum must be 1"}},
-      {"-1 samples",
-       [&] {
-         std::vector<Vertex> samples;
-         AG::farthest_point_sampling(m_mesh, std::back_inserter(samples), -1);
-       },
-       {"number of points is -1"}},
-      {"an isovalue that is no number",
-       [&] {
-         std::vector<std::vector<Point>> lines;
-         const std::vector<double> x(m_mesh.num_vertices());
-         AG::isolines(
-             m_mesh, boost::make_iterator_property_map(x.begin(), get(boost::vertex_index, m_mesh)),
-             std::vector<double>{1, m_nan}, std::back_inserter(lines));
-       },
-       {"isovalue 1, counted from 0, is not a number"}},
   });
 }
 
@@ -234,33 +106,22 @@ TEST_F(Wrong_input, of_places)
   });
 }
 
-TEST_F(Wrong_input, of_bounds_and_paths)
+std::string graph_file(const Mesh& mesh)
 {
-  const Mesh needle =
-      to_mesh({{Point(0, 0, 0), Point(1, 0, 0), Point(0.5, 1e-30, 0)}, {{0, 1, 2}}});
-  const std::vector<double> ones(m_mesh.num_faces(), 1);
-  expect_refusals({
-      {"a face too thin for a bound with weights",
-       [&] {
-         const auto np = parameters::face_weight_map(
-             boost::make_iterator_property_map(ones.begin(), get(boost::face_index, needle)));
-         distances(needle, Vertex(0), np.epsilon(0.1));
-       },
-       {"the face with vertices", "maximum_number_of_points_per_edge"}},
-      {"straight paths where faces have weights",
-       [&] {
-         std::vector<Point> points;
-         CGAL::approximate_geodesic_path(
-             m_mesh, std::back_inserter(points), Vertex(0), Vertex(9),
-             parameters::face_weight_map(weight_map(ones)).epsilon(0.1).straighten(true));
-       },
-       {"cannot be straightened"}},
-  });
+  std::ostringstream out;
+  AG::Discrete_geodesic_graph(Triangulation(mesh)).save(out);
+  return out.str();
 }
 
 TEST_F(Wrong_input, of_graph_files)
 {
   const std::string file = graph_file(m_mesh);
+  const auto load = [this](const std::string& text) {
+    return [this, text] {
+      std::istringstream in(text);
+      AG::Discrete_geodesic_graph::load(in, Triangulation(m_mesh));
+    };
+  };
   expect_refusals({
       {"a graph of another mesh", load(graph_file(to_mesh(flat_grid(5, 5)))), {"25 vertices"}},
       {"half a graph", load(file.substr(0, file.size() / 2)), {"the graph is truncated"}},
@@ -295,10 +156,6 @@ TEST_F(Wrong_input, that_is_none)
     EXPECT_GE(loose[i], exact[i] * (1 - 1e-12));
     EXPECT_LE(loose[i], along_edges[i] * (1 + 1e-6));
   }
-
-  std::vector<Vertex> samples;
-  EXPECT_EQ(AG::farthest_point_sampling(m_mesh, std::back_inserter(samples), 1000), 0);
-  EXPECT_EQ(samples.size(), m_mesh.num_vertices());
 
   const Mesh empty;
   EXPECT_TRUE(distances(empty, std::vector<Vertex>()).empty());

@@ -7,7 +7,6 @@
 // `CMakeLists.txt`.
 
 #include <CGAL/Approximate_geodesics/Surface_mesh_shortest_path.h>
-#include <CGAL/Geodesic_costs.h>
 #include <CGAL/Simple_cartesian.h>
 #include <CGAL/Surface_mesh.h>
 #include <CGAL/approximate_geodesic_distances.h>
@@ -24,17 +23,15 @@ using Shortest_paths = AG::Surface_mesh_shortest_path<Traits>; // as CGAL's exac
 using Shortest_paths = AG::Surface_mesh_shortest_path<Mesh>;
 #endif
 
-void call(const Mesh& mesh,
-          const Mesh::Property_map<Mesh::Vertex_index, double> distances,
-          const Mesh::Property_map<Mesh::Edge_index, bool> barriers)
+void call(const Mesh& mesh, const Mesh::Property_map<Mesh::Vertex_index, double> distances)
 {
   Shortest_paths shortest_paths(mesh);
 #if defined(WRONG_CHAIN) // which begins with a name of CGAL's
-  const auto np = parameters::edge_is_constrained_map(barriers).epsilon(0.1);
+  const auto np = parameters::vertex_point_map(mesh.points()).epsilon(0.1);
 #elif defined(WRONG_SIGNS) // without the header
   const auto np = parameters::signed_distances(true);
 #else
-  const auto np = parameters::epsilon(0.1).edge_is_constrained_map(barriers);
+  const auto np = parameters::epsilon(0.1).vertex_point_map(mesh.points());
 #endif
   CGAL::approximate_geodesic_distances(mesh, distances, Mesh::Vertex_index(0), np);
 }

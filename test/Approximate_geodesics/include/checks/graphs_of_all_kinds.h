@@ -6,45 +6,30 @@
 #ifndef APPROXIMATE_GEODESICS_TEST_GRAPHS_OF_ALL_KINDS_H
 #define APPROXIMATE_GEODESICS_TEST_GRAPHS_OF_ALL_KINDS_H
 
-#include "meshes/test_weights.h"
+#include "checks/Kind_of_graph.h"
 #include "oracles/test_oracles.h"
-#include "peers/Published_geometric_points.h"
 
 #include <CGAL/Approximate_geodesics/Graphs/Discrete_geodesic_graph.h>
 #include <CGAL/Approximate_geodesics/Graphs/Lazy_discrete_geodesic_graph.h>
 #include <CGAL/Approximate_geodesics/Graphs/Saddle_vertex_graph.h>
-#include <CGAL/Geodesic_costs.h>
 
 #include <gtest/gtest.h>
 
-#include <functional>
-#include <string>
+#include <cstddef>
 #include <utility>
+
+// The package of costs has further kinds. Where its tests are, tests of all kinds are tests of
+// these, too; the core alone has its own.
+#if __has_include("checks/graphs_with_points.h")
+#include "checks/graphs_with_points.h"
+#define APPROXIMATE_GEODESICS_TEST_HAS_GRAPHS_WITH_POINTS
+#endif
 
 namespace geodesics_test {
 
 using CGAL::Approximate_geodesics::Discrete_geodesic_graph;
-using CGAL::Approximate_geodesics::Fixed_number_of_points;
-using CGAL::Approximate_geodesics::Geometric_points;
 using CGAL::Approximate_geodesics::Lazy_discrete_geodesic_graph;
-using CGAL::Approximate_geodesics::Points_at_interval;
-using CGAL::Approximate_geodesics::Published_geometric_points;
 using CGAL::Approximate_geodesics::Saddle_vertex_graph;
-using CGAL::Approximate_geodesics::Steiner_graph;
-
-// A graph with its parameters.
-template <typename GeodesicGraph>
-struct Kind_of_graph
-{
-  using Graph = GeodesicGraph;
-
-  std::string name;
-  std::function<Graph(Triangulation)> make;
-  double epsilon = infinity;   // the bound, if there is one
-  double deviation = 0;        // relative, of distances that were found in another order
-  double asymmetry = 1e-12;    // relative, of distances there and back
-  double rounding_of_arcs = 0; // relative, of an edge or a chain of arcs along it
-};
 
 inline Kind_of_graph<Graph> edge_graph()
 {
@@ -92,27 +77,7 @@ inline Kind_of_graph<Saddle_vertex_graph> saddle_vertex_graph()
           1e-12};
 }
 
-// Arcs that are left out can be as good as others, but for their rounding.
-template <typename Placement>
-Kind_of_graph<Steiner_graph<Placement>>
-graph_with_points(const std::string& name, const Placement& placement, const double epsilon)
-{
-  return {
-      "graph with " + name,
-      [placement](Triangulation t) { return Steiner_graph<Placement>(std::move(t), placement); },
-      epsilon,
-      1e-14,
-      1e-12,
-      1e-14};
-}
-
-inline Kind_of_graph<Steiner_graph<Fixed_number_of_points>>
-graph_with_spaced_points(const std::size_t number)
-{
-  return graph_with_points("equally spaced points", Fixed_number_of_points(number), infinity);
-}
-
-// Calls `f(kind)` for each of those that can do with lengths alone.
+// Calls `f(kind)` for each of those that can do with lengths alone, which are the core's.
 template <typename F>
 void for_each_graph_of_lengths(const double epsilon, F f)
 {
@@ -128,25 +93,31 @@ void for_each_graph_of_lengths(const double epsilon, F f)
   call(saddle_vertex_graph());
 }
 
-// Calls `f(kind)` for each of those that heed weights.
-template <typename F>
-void for_each_graph_with_points(const double epsilon, F f)
-{
-  const auto call = [&](const auto& kind) {
-    SCOPED_TRACE(kind.name);
-    f(kind);
-  };
-  call(graph_with_spaced_points(2));
-  call(graph_with_points("equally dense points", Points_at_interval(0.4), infinity));
-  call(graph_with_points("geometric points", lenient_points(epsilon), epsilon));
-  call(graph_with_points("published points", Published_geometric_points(epsilon), infinity));
-}
-
 template <typename F>
 void for_each_graph(const double epsilon, F f)
 {
   for_each_graph_of_lengths(epsilon, f);
+#ifdef APPROXIMATE_GEODESICS_TEST_HAS_GRAPHS_WITH_POINTS
   for_each_graph_with_points(epsilon, f);
+#endif
+}
+
+// Calls `f(kind)` for points that divide edges into equal parts, where there are any.
+template <typename F>
+void with_spaced_points([[maybe_unused]] const std::size_t number, [[maybe_unused]] F f)
+{
+#ifdef APPROXIMATE_GEODESICS_TEST_HAS_GRAPHS_WITH_POINTS
+  SCOPED_TRACE("equally spaced points");
+  f(graph_with_spaced_points(number));
+#endif
+}
+
+// Calls `f(kind)` for those that are small on meshes with edges of very different lengths.
+template <typename F>
+void for_each_small_graph(const double epsilon, F f)
+{
+  for_each_graph_of_lengths(epsilon, f);
+  with_spaced_points(2, f);
 }
 
 } // namespace geodesics_test

@@ -6,6 +6,7 @@
 #ifndef APPROXIMATE_GEODESICS_TEST_PARTS_OF_MESHES_H
 #define APPROXIMATE_GEODESICS_TEST_PARTS_OF_MESHES_H
 
+#include "checks/expect_message.h"
 #include "meshes/hostile_meshes.h"
 #include "meshes/surface_points.h"
 #include "oracles/test_oracles.h"
@@ -21,6 +22,7 @@
 #include <cstddef>
 #include <iterator>
 #include <optional>
+#include <stdexcept>
 #include <vector>
 
 namespace geodesics_test {
@@ -145,6 +147,45 @@ distances_from(const Mesh& mesh, const Sources& sources, const NamedParameters& 
       sources, np);
   return result;
 }
+
+// Calls `f(mesh, source, target)` for random points of all large meshes.
+template <typename F>
+void for_each_random_pair(F f)
+{
+  Random random(test_seed());
+  for(const auto& [name, mesh] : large_meshes())
+  {
+    SCOPED_TRACE(name);
+    for(int i = 0; i < 10; ++i)
+    {
+      const Surface_point source = random_surface_point(mesh, random);
+      f(mesh, source, random_target(mesh, source, random));
+    }
+  }
+}
+
+// ----- bad input
+
+class Bad_part : public testing::Test
+{
+protected:
+  template <typename... Texts>
+  void expect_rejection(const Mesh& mesh, const Texts&... texts) const
+  {
+    for(const double epsilon : {0., 0.1})
+      expect_message<std::invalid_argument>(
+          [&] { length_of_path(mesh, near, near_too, CGAL::parameters::epsilon(epsilon)); },
+          texts...);
+    expect_message<std::invalid_argument>(
+        [&] { distances_from(mesh, near, CGAL::parameters::maximum_distance(2.5)); }, texts...);
+  }
+
+  static constexpr Mesh::size_type n = 50;
+  static Vertex at(const Mesh::size_type i, const Mesh::size_type j) { return Vertex(i + n * j); }
+
+  const Vertex near = at(10, 10), near_too = at(12, 10);
+  Mesh m_mesh = to_mesh(flat_grid(n, n));
+};
 
 } // namespace geodesics_test
 

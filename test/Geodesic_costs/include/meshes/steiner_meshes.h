@@ -6,6 +6,7 @@
 #ifndef APPROXIMATE_GEODESICS_TEST_STEINER_MESHES_H
 #define APPROXIMATE_GEODESICS_TEST_STEINER_MESHES_H
 
+#include "meshes/for_generated_meshes.h"
 #include "meshes/test_weights.h"
 
 #include <gtest/gtest.h>
@@ -14,20 +15,8 @@
 
 namespace geodesics_test {
 
-// Calls `f(mesh, random)` for all kinds of meshes.
-template <typename F>
-void for_generated_meshes(F f)
-{
-  Random random(test_seed());
-  for(const Named_mesh& named : generated_meshes(test_seed()))
-  {
-    SCOPED_TRACE(named.name);
-    f(named.mesh, random);
-  }
-}
-
-// The same, as `f(mesh, weights, random)`, with weights that are much different, some of them zero
-// and some infinite.
+// Calls `f(mesh, weights, random)` for all kinds of meshes, with weights that are much different,
+// some of them zero and some infinite.
 template <typename F>
 void for_weighted_meshes(F f)
 {

@@ -71,15 +71,6 @@ Entries entries_of(const Sparse_rows<T>& rows)
   return result;
 }
 
-// Calls `f(kind)` for those that are small on meshes with edges of very different lengths.
-template <typename F>
-void for_each_small_graph(const double epsilon, F f)
-{
-  for_each_graph_of_lengths(epsilon, f);
-  SCOPED_TRACE("equally spaced points");
-  f(graph_with_spaced_points(2));
-}
-
 // ----- what is computed
 
 // On a mesh or a graph.
