@@ -10,6 +10,7 @@
 
 #include <CGAL/Approximate_geodesics/Queues/Ordered_queues.h>
 #include <CGAL/Approximate_geodesics/Search/Propagation.h>
+#include <CGAL/Geodesic_costs.h>
 #include <CGAL/Geodesic_grids/Grid_graph.h>
 #include <CGAL/approximate_geodesic_distances.h>
 

@@ -216,11 +216,11 @@ private:
 
   // Whether the way passes a corner so closely that it goes through. It need not pass close to the
   // start of the way, where rounding decides what is ahead.
-  static bool passes(const Plane_vector corner, const Plane_vector way, const double near)
+  static bool passes(const Plane_vector corner, const Plane_vector way, const double tolerance)
   {
     constexpr double ahead = 1e-6; // an angle
     const double offset = std::abs(cross(corner, way));
-    return offset <= near && offset <= ahead * dot(corner, way);
+    return offset <= tolerance && offset <= ahead * dot(corner, way);
   }
 
   // Where the way crosses the line from `right` to `left`: 0 or 1 if it goes through an end, also
@@ -228,10 +228,10 @@ private:
   static double part_of_side(const Plane_vector right,
                              const Plane_vector left,
                              const Plane_vector way,
-                             const double near)
+                             const double tolerance)
   {
     const double r = (std::max)(0., cross(right, way)), l = (std::max)(0., cross(way, left));
-    const bool is_right = passes(right, way, near), is_left = passes(left, way, near);
+    const bool is_right = passes(right, way, tolerance), is_left = passes(left, way, tolerance);
     if(is_right != is_left)
       return is_left ? 1 : 0;
     if(!is_right && r + l > 0)

@@ -130,7 +130,7 @@ public:
   }
 
 private:
-  static constexpr Id null_id = std::numeric_limits<Id>::max();
+  static constexpr Id null_id = (std::numeric_limits<Id>::max)();
 
   // ----- corners
 
@@ -283,13 +283,13 @@ private:
   template <typename Directions>
   void set_first_directions(const Directions& directions)
   {
-    constexpr double near = 0.02, same = 1e-6;
+    constexpr double close = 0.02, same = 1e-6;
     m_first.assign(1, {1, 0});
     for(auto i = std::next(std::begin(directions)); i != std::end(directions); ++i)
       if(const Plane_vector d = i->y < 0 ? -1 * *i : *i; is_apart(d, same))
         m_first.push_back(d);
     for(const Plane_vector d : m_equal_parts)
-      if(is_apart(d, near))
+      if(is_apart(d, close))
         m_first.push_back(d);
     std::sort(m_first.begin(), m_first.end(),
               [](const Plane_vector a, const Plane_vector b) { return cross(a, b) > 0; });

@@ -34,7 +34,7 @@ public:
       return;
     for(Seed& seed : seeds)
       if(seed.distance == sources[seed.source].distance)
-        seed.free_length = std::numeric_limits<double>::max();
+        seed.free_length = (std::numeric_limits<double>::max)();
     for(std::size_t i = 0; i < sources.size(); ++i)
       graph.attach_free(sources[i].point, false)
           .for_each_node([&](const auto node, const double length) {

@@ -312,8 +312,8 @@ steps_between(const Face_point& p, const Face_point& q, std::size_t& corner)
   std::array<double, 3> step{};
   for(std::size_t i = 0; i < 3; ++i)
     step[i] = q.weight[i] - p.weight[i];
-  constexpr double near = 1. / 1024;
-  if((std::max)({std::abs(step[0]), std::abs(step[1]), std::abs(step[2])}) < near)
+  constexpr double close = 1. / 1024;
+  if((std::max)({std::abs(step[0]), std::abs(step[1]), std::abs(step[2])}) < close)
   {
     std::size_t largest = 0;
     for(const std::size_t i : {std::size_t(1), std::size_t(2)})

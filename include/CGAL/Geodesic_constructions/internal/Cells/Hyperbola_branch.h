@@ -72,8 +72,8 @@ private:
   // sinh s - s
   static double sinh_minus(const double s)
   {
-    constexpr double small = 0.1;
-    if(s > small)
+    constexpr double limit = 0.1;
+    if(s > limit)
       return std::sinh(s) - s;
     const double x = s * s;
     return s * x / 6 * (1 + x / 20 * (1 + x / 42 * (1 + x / 72 * (1 + x / 110))));

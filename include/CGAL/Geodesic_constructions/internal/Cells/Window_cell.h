@@ -117,7 +117,7 @@ private:
   // Borders that are so close to a side, in lengths of the side, are on it. Otherwise, rounding
   // would decide in which face a border along an edge is, and differently in the two faces. So
   // sides are shifted inward while they are compared with other curves.
-  static constexpr double NEAR = 1e-10;
+  static constexpr double CLOSE = 1e-10;
 
   Direction_range range() const { return {m_window.right, m_window.left}; }
 
@@ -130,7 +130,7 @@ private:
       const Plane_vector p = m_face[i] - m_window.tip, edge = m_face[(i + 1) % 3] - m_face[i];
       const double size = length(edge), distance = cross(p, edge) / size; // to the left
       m_lines[i] = Focal_curve::line(p, edge);
-      const double shift = (std::min)(NEAR * size, std::abs(distance) / 4);
+      const double shift = (std::min)(CLOSE * size, std::abs(distance) / 4);
       const Focal_curve shifted =
           Focal_curve::line(p + shift / size * Plane_vector{-edge.y, edge.x}, edge);
       if(i == m_window.entry)

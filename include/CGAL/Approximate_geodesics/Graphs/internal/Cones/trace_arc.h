@@ -133,7 +133,7 @@ struct Sought_line
   bool is_found(const double tolerance) const
   {
     return smallest_difference <= tolerance * length + rounding ||
-           smallest_difference < std::numeric_limits<double>::min();
+           smallest_difference < (std::numeric_limits<double>::min)();
   }
 
   double length;   // the given length

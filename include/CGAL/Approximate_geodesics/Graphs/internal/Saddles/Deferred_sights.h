@@ -304,17 +304,17 @@ private:
   void sort_beyond()
   {
     const double end = m_next_step + number_of_steps * m_step;
-    const auto near =
+    const auto first =
         std::partition(m_beyond.begin(), m_beyond.end(),
                        [&](const Deferred_sight& s) { return s.smallest_label >= end; });
-    for(auto s = near; s != m_beyond.end(); ++s)
+    for(auto s = first; s != m_beyond.end(); ++s)
     {
       const double step = (s->smallest_label - m_next_step) / m_step;
       const auto i = // not beyond the last bucket, by rounding
           (std::min)(static_cast<std::size_t>((std::max)(step, 0.)), number_of_steps - 1);
       open_block(step > 0 ? m_steps[(m_first + i) % number_of_steps] : m_resumed).push_back(*s);
     }
-    m_beyond.erase(near, m_beyond.end());
+    m_beyond.erase(first, m_beyond.end());
   }
 
   std::array<Blocks, number_of_steps> m_steps; // a ring, from `m_first` on

@@ -149,8 +149,8 @@ struct Sight_ray
   // The boundary of a sector hides no point, like a vertex at the tip.
   static Sight_ray boundary(const Plane_vector unit_vector, const double size)
   {
-    constexpr double small = 0x1p-100;
-    return {small * size * unit_vector, small * size};
+    constexpr double tiny = 0x1p-100;
+    return {tiny * size * unit_vector, tiny * size};
   }
 };
 
@@ -207,8 +207,8 @@ struct Sight
   // the farther end would matter.
   Plane_vector apex(const Plane_vector left_edge, const Face_step& step) const
   {
-    constexpr double far = 16; // not on ordinary meshes
-    if(BOOST_UNLIKELY(left_distance > far * right_distance))
+    constexpr double most = 16; // not on ordinary meshes
+    if(BOOST_UNLIKELY(left_distance > most * right_distance))
       return right - step.right_edge(edge);
     return left + left_edge;
   }

@@ -85,10 +85,10 @@ private:
   // nor degenerate, by far: a quick test.
   static bool is_well_shaped(const Face_step& step, const double length)
   {
-    constexpr double small = 0x1p-10, large = 0x1p10;
+    constexpr double least = 0x1p-10, most = 0x1p10;
     return !step.has_face() ||
-           (step.across > small && step.across < large && std::abs(step.along) < large &&
-            small * length > Sight::SHORTEST_EDGE);
+           (step.across > least && step.across < most && std::abs(step.along) < most &&
+            least * length > Sight::SHORTEST_EDGE);
   }
 
   // Returns whether all faces are well shaped.
