@@ -129,7 +129,7 @@ function(expect_errors name) # [LABEL]
   if(NOT CMAKE_CXX_COMPILER_ID MATCHES "GNU|Clang" OR APPROXIMATE_GEODESICS_SANITIZERS)
     return()
   endif()
-  string(REPLACE ";" _ test "${name};${ARGN}")
+  list(JOIN ARGV _ test)
   add_test(NAME ${test}
            COMMAND ${CMAKE_COMMAND} -D compiler=${CMAKE_CXX_COMPILER}
                    -D include_dirs=$<TARGET_PROPERTY:test_settings,INTERFACE_INCLUDE_DIRECTORIES>
