@@ -106,10 +106,11 @@ private:
   Repair_of_graph& kept() const { return static_cast<Repair_of_graph&>(*m_search.m_kept); }
 
   // Returns whether the labels that are left make a repair worthwhile.
-  bool raise_labels(std::vector<Seed> seeds)
+  bool raise_labels(const std::vector<Seed>& seeds_of_run)
   {
     bool result = false;
     m_search.guard([&] {
+      std::vector<Seed> seeds = seeds_of_run;
       for(Seed& seed : seeds)
         seed.distance = m_search.to_graph_unit(seed.distance);
       if(!m_search.m_kept)
