@@ -133,7 +133,7 @@ void compare_paths(const Mesh& mesh,
     const Task& task = tasks[round];
     AG::internal::search_once(mesh, np, true, [&](auto& search) {
       search.run_to(task.source, task.target, AG::internal::positions_for_one_run(search, np), np);
-      search.find_path(search.translation().intrinsic_point(task.target), np);
+      AG::internal::find_path(search, search.translation().intrinsic_point(task.target), np);
       counts.number_of_reached += search.search().search().reached_nodes().size();
     });
   });
